@@ -23,7 +23,7 @@ import PraTactile.Object.Placement
 import PraTactile.Object.WingedEdge (ObjectName)
 import PraTactile.Pose (RigidMotion)
 import PraTactile.Recognise
-import PraTactile.Recognise.Summary (lieText, shownTilt, upperLeftVertex)
+import PraTactile.Recognise.Summary (lieText, shownSkew, upperLeftVertex)
 import PraTactile.Registration (Composite)
 import PraTactile.Relief (symbolTaxel)
 import PraTactile.Shape (Alphabet)
@@ -55,7 +55,7 @@ recognitionPage ::
 recognitionPage alphabet nameOf layout classesOf posed composite recognition =
   Page (recognitionMessage recognition) felt face lying answer meanings
   where
-    turnedBy = shownTilt recognition
+    turnedBy = shownSkew recognition
     felt =
       compositePanel alphabet nameOf (symbolTaxel (placementPitch layout)) composite recognition
     face =

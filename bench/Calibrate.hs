@@ -59,7 +59,7 @@ main = do
 type Known = (Maybe (Int, Symmetry), Raster)
 
 -- | A symbol: its estimate, and its truth with features.
-type Told = (Estimate, Seen)
+type Told = (Estimate, Labelled)
 
 -- | The tables of a field: for symbols, for whether they belong to the alphabet, and for other
 -- shapes.
@@ -152,27 +152,27 @@ toldBy classifier (truth, image) = do
   let shapesSeen = classifierTemplates classifier
   pure
     ( estimateFrom (classifierCalibration classifier) shapesSeen image upright upsideDown,
-      Seen truth (look shapesSeen image upright upsideDown)
+      Labelled truth (symbolFeatures shapesSeen image upright upsideDown)
     )
 
 -- | The doubt of class and orientation, and whether these were wrong.
 wrongClass :: Told -> (Double, Bool)
-wrongClass (e, Seen truth _) = (estimateDoubt e, Just (estimateLikeliest e) /= truth)
+wrongClass (e, Labelled truth _) = (estimateDoubt e, Just (estimateLikeliest e) /= truth)
 
 -- | The doubt of whether a symbol belongs to the alphabet (prior 1/2), and whether that was wrong.
 wrongKind :: Told -> (Double, Bool)
-wrongKind (e, Seen truth _) = (1 / (1 + exp (abs u)), (u > 0) /= isNothing truth)
+wrongKind (e, Labelled truth _) = (1 / (1 + exp (abs u)), (u > 0) /= isNothing truth)
   where
-    u = estimateUnlike e
+    u = estimateForeignShape e
 
 loss :: Told -> Double
-loss (e, Seen truth _) = negate (log (maybe 1 (estimateChance e) truth))
+loss (e, Labelled truth _) = negate (log (maybe 1 (estimateChance e) truth))
 
 -- | The loss of a simpler model for comparison: the doubt is a logistic regression with three
 -- numbers, on the lead of the greatest logit and on the likeness to its shape, and all other
 -- classes share it equally.
 lossOfThree :: Told -> Double
-lossOfThree (_, Seen truth (Look told _)) =
+lossOfThree (_, Labelled truth (SymbolFeatures told _)) =
   negate (log (if Just best == truth then 1 - doubt else doubt / others))
   where
     (greatest, (best, likeness)) = maximum [(z, (what, s)) | (what, (z, s)) <- told]
@@ -200,7 +200,7 @@ passing :: Double -> [Told] -> [Told] -> String
 passing share ours others = printf "%d of %d" (length passed) (length others)
   where
     passed = filter (< limit) (unlike others)
-    unlike = map (estimateUnlike . fst)
+    unlike = map (estimateForeignShape . fst)
     before = floor (share * fromIntegral (length ours)) :: Int
     limit = case drop before (sort (unlike ours)) of
       u : _ -> u

@@ -126,10 +126,10 @@ import qualified Test.Recognition.Object.RoundedSurfaces
 import qualified Test.Recognition.Object.SolidsAreClosed
 import qualified Test.Recognition.PosesByConstruction
 import qualified Test.Recognition.PosteriorByBruteForce
+import qualified Test.Recognition.SkewAndWords
 import qualified Test.Recognition.SupportByConstruction
 import qualified Test.Recognition.SymbolsRead
 import qualified Test.Recognition.TakenOtherwise
-import qualified Test.Recognition.TiltAndWords
 import qualified Test.Recognition.WhereItIsPressed
 import qualified Test.Recognition.WindowsByDefinition
 import qualified Test.Schemas
@@ -162,7 +162,7 @@ import qualified Test.Touch.Classification.OtherShapes
 import qualified Test.Touch.Classification.PaperExperiment
 import qualified Test.Touch.Classification.SpecimensOfEachKind
 import qualified Test.Touch.Composite.BlendByDefinition
-import qualified Test.Touch.Composite.TiltByDefinition
+import qualified Test.Touch.Composite.SkewByDefinition
 import qualified Test.Touch.Image.FilesOfOthers
 import qualified Test.Touch.Image.PgmByTheManual
 import qualified Test.Touch.Image.PgmLaws
@@ -311,7 +311,7 @@ together = do
     describe "Segmentation of what was felt far apart" Test.Touch.Segmentation.FeltFarApart.spec
     describe "What segmentation is made of" Test.Touch.Segmentation.PartsByDefinition.spec
     describe "Segmentation of scenes" Test.Touch.Segmentation.ScenesAtAnyAngle.spec
-    describe "The angle of a composite" Test.Touch.Composite.TiltByDefinition.spec
+    describe "The angle of a composite" Test.Touch.Composite.SkewByDefinition.spec
     describe "Extents" Test.Touch.Segmentation.BoxesAndAxes.spec
     describe "Shapes" Test.Touch.Shape.DesignAndDistance.spec
     describe "Drawings checked" Test.Touch.Shape.CheckedDrawings.spec
@@ -361,7 +361,7 @@ together = do
   describe "Recognition: grids, room and words" Test.Recognition.GridsAndRefusals.spec
   describe "Recognition: what is read" Test.Recognition.SymbolsRead.spec
   describe "Recognition: taken otherwise" Test.Recognition.TakenOtherwise.spec
-  describe "Recognition step by step" Test.Recognition.TiltAndWords.spec
+  describe "Recognition step by step" Test.Recognition.SkewAndWords.spec
   describe "Recognition: what is found" Test.Recognition.WindowsByDefinition.spec
   describe "Poses" Test.Recognition.PosesByConstruction.spec
   describe "Recognition by Bayes' theorem" Test.Recognition.PosteriorByBruteForce.spec

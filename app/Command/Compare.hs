@@ -13,8 +13,8 @@ import PraTactile.Explore
 import PraTactile.Format (ObjectPose (..), encodeComparison)
 import PraTactile.Object.Placement
 import PraTactile.Object.WingedEdge
-import PraTactile.Pose (longer, movedBy, poseApart, thenMotion)
-import PraTactile.Recognise (leastTilt)
+import PraTactile.Pose (movedBy, poseApart, scaledMotion, thenMotion)
+import PraTactile.Recognise (leastSkew)
 import PraTactile.Recognise.Summary (orientationText, upperLeftVertex)
 import PraTactile.Symmetry (Symmetry, degreesClockwise)
 import PraTactile.Truth
@@ -52,7 +52,7 @@ run choice answerFile truthFile form = do
       poses = do
         ObjectPose object pose world <- posed
         (x, y) <- claimSeenAt <$> told
-        true <- longer larger <$> truePose layout truth
+        true <- scaledMotion larger <$> truePose layout truth
         -- The truth is in the robot's frame, the answer perhaps in the world.
         let there = maybe id (flip thenMotion) world true
         guard (object == faceObject (truthFace truth))
@@ -122,7 +122,7 @@ comparison larger truth claim =
 turnWords :: Symmetry -> Maybe Double -> String
 turnWords symmetry angle = case angle of
   Just degrees
-    | abs (beyond degrees) > leastTilt -> printf "turned by %.1f degrees" degrees
+    | abs (beyond degrees) > leastSkew -> printf "turned by %.1f degrees" degrees
   _ -> orientationText symmetry
   where
     -- From -180 to 180.

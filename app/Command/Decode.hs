@@ -314,7 +314,7 @@ decodeWith ::
   [Composite] ->
   IO ExitStatus
 decodeWith profile array near world options bare from composites = do
-  seen <- orUnusable networkMessage (sight (recogniserReader bare) composites)
+  seen <- orUnusable networkMessage (readFace (recogniserReader bare) composites)
   -- Where it is on the array is known without the objects; of a database those that lie there are
   -- read then.
   objects' <- near (cellsShown tolerating bare seen)

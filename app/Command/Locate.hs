@@ -219,8 +219,8 @@ responder options profile on@(ArrayOn _ array) mask = do
           queryDoubt = doubt options,
           queryForeign = foreignThings options,
           -- Of symbols that are told nobody knows how they looked.
-          queryUnlike = -1 / 0,
-          queryBeforehand = Nothing
+          queryForeignShape = -1 / 0,
+          queryPrior = Nothing
         }
 
 answering :: Profile -> Options -> (Text -> Either String Response) -> IO ExitStatus

@@ -26,7 +26,7 @@ import PraTactile.Object.Mend (Merging (..), asItIs)
 import PraTactile.Object.Mesh (Mesh, scaledBy)
 import PraTactile.Object.Placement
 import PraTactile.Object.WingedEdge
-import PraTactile.Pose (longer)
+import PraTactile.Pose (scaledMotion)
 import PraTactile.Pressing
 import PraTactile.Profile
 import PraTactile.Recognise.Summary (orientationText)
@@ -287,7 +287,7 @@ pressing choice options how object = do
   let truth = scaledTruth larger found
   for_ (truthFile options) $ \file ->
     writeWhole file . Lazy.fromStrict . (<> "\n") $
-      encodePosedTruth (longer larger <$> truePose layout found) truth
+      encodePosedTruth (scaledMotion larger <$> truePose layout found) truth
   when (announced options == Announced) (putStrLn (truthText truth))
   pure Answered
 

@@ -30,8 +30,8 @@ import PraTactile.Object.Placement
 import PraTactile.Object.WingedEdge
 import PraTactile.Pressing (PressError (..))
 import PraTactile.Recognise
-  ( Doubts (..),
-    Instead (..),
+  ( Diagnosis (..),
+    Doubts (..),
     RecogniserError (..),
     Refusal (..),
     doubtOfForeign,
@@ -328,7 +328,7 @@ thresholdMessage doubts = case sortOn (negate . fst) causes of
     overlapping = "; press so that frames overlap more"
 
 -- | What was seen where no symbol was recognised, and what to do about it.
-seenMessage :: Refusal -> Instead -> String
+seenMessage :: Refusal -> Diagnosis -> String
 seenMessage why seen = case seen of
   InsteadFlat -> "every taxel reads the same: nothing was touched, or the face is flat there"
   InsteadInverted -> "the symbols are recognised with light and dark exchanged; give --inverted"

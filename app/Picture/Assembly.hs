@@ -72,7 +72,7 @@ titleOf made = counted (length (assemblyFrames made)) "frame" "frames" ++ " put 
     how = case assemblyMethod made of
       Nominal -> "as the robot had them"
       ByLattice -> "by the lattice of symbols"
-      Jointly -> "by all pairs that overlap, together"
+      ByPairs -> "by all pairs that overlap, together"
       Incremental -> "by correlation, one after the other"
       other -> stitchMethodName other
 

@@ -22,7 +22,7 @@ import Picture.Style
 import PraTactile.Geometry (columnPitch, rowPitch, symbolHeight, symbolWidth)
 import PraTactile.Image (rasterHeight, rasterWidth)
 import PraTactile.Recognise
-import PraTactile.Recognise.Summary (shownTilt)
+import PraTactile.Recognise.Summary (shownSkew)
 import PraTactile.Registration (Composite (..))
 import PraTactile.Segmentation (SymbolImage (..))
 import PraTactile.Shape (Alphabet)
@@ -98,11 +98,11 @@ compositePanel alphabet nameOf taxel composite recognition =
       concatMap (symbolMarks Part) (here recognisedParts)
         ++ concatMap (symbolMarks Whole) (here recognisedSymbols)
         ++ concat
-          [windowMarks unit tilt found | Right (Found found) <- [recognisedAnswer recognition]]
+          [windowMarks unit skew found | Right (Found found) <- [recognisedAnswer recognition]]
     here part = [s | s <- part recognition, readSource s == 0]
     symbolMarks felt symbol =
-      symbolMark alphabet nameOf unit tilt felt (readingOf recognition felt symbol) symbol
-    tilt = shownTilt recognition
+      symbolMark alphabet nameOf unit skew felt (readingOf recognition felt symbol) symbol
+    skew = shownSkew recognition
 
 -- | A pixel as picture units. Pixel centres lie at integers; a pixel covers one taxel round its
 -- centre.
@@ -112,8 +112,8 @@ centred unit (x, y) = (unit * (x + 0.5), unit * (y + 0.5))
 -- | A symbol, the composite's symbols being turned by so many degrees beside quarter turns.
 symbolMark ::
   Alphabet -> (Int -> String) -> Double -> Double -> Felt -> Reading -> ReadSymbol -> Drawing
-symbolMark alphabet nameOf unit tilt felt reading symbol =
-  turnedAbout at tilt (shapesShown ++ [Mark "symbol" (Rectangle (readingPaint reading) box)])
+symbolMark alphabet nameOf unit skew felt reading symbol =
+  turnedAbout at skew (shapesShown ++ [Mark "symbol" (Rectangle (readingPaint reading) box)])
     ++ [ Mark "element" (Words FromMiddle font (fst at, bottomEdge box + 2.2 * unit) label)
          | felt == Whole
        ]
@@ -133,10 +133,10 @@ symbolMark alphabet nameOf unit tilt felt reading symbol =
 
 -- | The window that gives the answer, and its centre.
 windowMarks :: Double -> Double -> Finding -> Drawing
-windowMarks unit tilt found =
+windowMarks unit skew found =
   turnedAbout
     at
-    tilt
+    skew
     [Mark "window" (Rectangle (outlined answering 4) (around (unit * w, unit * h) at))]
     ++ placeMarks at
   where

@@ -33,7 +33,7 @@ data FaceView = FaceView
     viewComposite :: Composite,
     viewFinding :: Finding,
     -- | by how many degrees, clockwise, the composite shows it turned beside quarter turns
-    viewTilt :: Double,
+    viewSkew :: Double,
     viewPlace :: Place
   }
 
@@ -154,8 +154,8 @@ onPaper text =
 onFace :: FaceView -> (Double, Double) -> (Double, Double)
 onFace view (u, v) = (x + taxelOf view * right, y + taxelOf view * below)
   where
-    (tilt, found, place) = (viewTilt view, viewFinding view, viewPlace view)
+    (skew, found, place) = (viewSkew view, viewFinding view, viewPlace view)
     (x, y) = spotMillimetres (placeCentre place)
     (u0, v0) = windowSeenAt (foundWindow found)
     (right, below) = onOffset (invert (foundOrientation found)) level
-    level = movePoint (Motion (negate tilt) 0 0) (u - u0, v - v0)
+    level = movePoint (Motion (negate skew) 0 0) (u - u0, v - v0)

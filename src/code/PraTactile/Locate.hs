@@ -28,8 +28,8 @@ module PraTactile.Locate
   ( -- * The question
     Query (..),
     onePatch,
-    Beforehand (..),
-    nothingBeforehand,
+    CandidatePrior (..),
+    uniformPrior,
     weighable,
     Patch,
     patch,
@@ -70,7 +70,7 @@ module PraTactile.Locate
     PlaceDoubts (..),
     ForeignDoubts (..),
     doubtOfForeign,
-    foreignBut,
+    scaledForeign,
     Posterior (..),
     PatchVerdict (..),
     Known (..),
@@ -102,7 +102,6 @@ module PraTactile.Locate
 where
 
 import PraTactile.Locate.Answer
-import PraTactile.Locate.Beforehand
 import PraTactile.Locate.Belief
 import PraTactile.Locate.Chance (Chance (..))
 import PraTactile.Locate.Checks (Checks (..), Split (..), noneAcross)
@@ -112,4 +111,5 @@ import PraTactile.Locate.Decoder.MemoryTable
 import PraTactile.Locate.Definition (largestSearchedArray)
 import PraTactile.Locate.Locator
 import PraTactile.Locate.Patch
+import PraTactile.Locate.Prior
 import PraTactile.Locate.Query

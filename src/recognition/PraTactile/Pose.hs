@@ -75,7 +75,7 @@ module PraTactile.Pose
     objectMotion,
     thenMotion,
     movedBy,
-    longer,
+    scaledMotion,
     Pose (..),
     poseOf,
     thenPose,
@@ -203,7 +203,7 @@ onRobot k (left, top) (PlaneFit (Motion degrees x y) (cx, cy) covariance) =
   PlaneFit
     (Motion degrees (left + k * x) (top + k * y))
     (left + k * cx, top + k * cy)
-    (carried (diagonal [k, k, 1]) covariance)
+    (propagated (diagonal [k, k, 1]) covariance)
 
 -- | A rotation, by its rows, followed by a translation in millimetres.
 data RigidMotion = RigidMotion
@@ -259,8 +259,8 @@ objectMotion face (Motion degrees x y) = face `thenMotion` RigidMotion turn [x, 
       let (c, s) = rotated degrees (1, 0) in [[c, negate s, 0], [s, c, 0], [0, 0, 1]]
 
 -- | The motion of an object whose lengths are multiplied by the number. The rotation stays.
-longer :: Double -> RigidMotion -> RigidMotion
-longer k (RigidMotion rows by) = RigidMotion rows (map (k *) by)
+scaledMotion :: Double -> RigidMotion -> RigidMotion
+scaledMotion k (RigidMotion rows by) = RigidMotion rows (map (k *) by)
 
 -- | How an object lies, and the errors of that.
 data Pose = Pose
@@ -275,7 +275,7 @@ data Pose = Pose
 -- | The pose of an object, given a face's 'faceFrame' and the fit of that face to the robot's
 -- plane.
 poseOf :: RigidMotion -> PlaneFit -> Pose
-poseOf face (PlaneFit inPlane (cx, cy) covariance) = Pose motion (carried moved covariance)
+poseOf face (PlaneFit inPlane (cx, cy) covariance) = Pose motion (propagated moved covariance)
   where
     motion = objectMotion face inPlane
     moved = case motionBy motion of
@@ -295,7 +295,7 @@ movedBy (RigidMotion rows by) point = zipWith (+) by (rows `applied` point)
 -- | A pose in another frame, given the motion from the robot's frame to it.
 thenPose :: RigidMotion -> Pose -> Pose
 thenPose world (Pose motion covariance) =
-  Pose (motion `thenMotion` world) (carried (blocks (motionRows world)) covariance)
+  Pose (motion `thenMotion` world) (propagated (blocks (motionRows world)) covariance)
   where
     blocks rows = map (++ none) rows ++ map (none ++) rows
     none = [0, 0, 0]
@@ -336,7 +336,7 @@ poseDistance :: RigidMotion -> Pose -> Maybe Double
 poseDistance true pose = do
   -- The columns span the range; three independent ones are found by projection.
   basis <- pick [] (transpose (poseCovariance pose))
-  information <- inverse (carried basis (poseCovariance pose))
+  information <- inverse (propagated basis (poseCovariance pose))
   let e = basis `applied` poseDifference true pose
   Just (sum (zipWith (*) e (information `applied` e)))
   where

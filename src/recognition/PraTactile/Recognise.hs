@@ -20,18 +20,18 @@ module PraTactile.Recognise
     recognise,
     recogniseWith,
     recognisedAngle,
-    leastTilt,
+    leastSkew,
 
     -- * Recognition in two steps
-    Sight,
-    sight,
+    FaceReading,
+    readFace,
     cellsShown,
     recogniseSeen,
 
     -- * Symbols
     ReadSymbol (..),
     readDoubt,
-    readNone,
+    readForeignProbability,
 
     -- * Windows
     ReadWindow (..),
@@ -46,7 +46,7 @@ module PraTactile.Recognise
     doubtOfForeign,
     supportDoubt,
     Refusal (..),
-    Instead (..),
+    Diagnosis (..),
     refusals,
     refusalName,
   )
@@ -57,20 +57,20 @@ import Data.Maybe (isJust)
 import PraTactile.Array (Position)
 import PraTactile.Classification.Network (NetworkError)
 import PraTactile.Composite (asTaken)
-import PraTactile.Composite.Tilt (leastTilt)
+import PraTactile.Composite.Skew (leastSkew)
 import PraTactile.Field (KnownField)
 import PraTactile.Locate (ForeignDoubts (..), Reason (..), doubtOfForeign)
+import PraTactile.Recognise.Diagnosis (Diagnosis (..), diagnose)
 import PraTactile.Recognise.FaceGrid
+import PraTactile.Recognise.FaceReading
 import PraTactile.Recognise.Finding
 import PraTactile.Recognise.GridLocation
 import PraTactile.Recognise.GridOutcome
-import PraTactile.Recognise.Instead (Instead (..), seenInstead)
 import PraTactile.Recognise.Layouts
 import PraTactile.Recognise.Likeliest
 import PraTactile.Recognise.Reading
 import PraTactile.Recognise.Recogniser
 import PraTactile.Recognise.Recognition
-import PraTactile.Recognise.Sight
 import PraTactile.Recognise.Support
 import PraTactile.Recognise.Tolerance
 import PraTactile.Registration (Composite (..))
@@ -94,16 +94,16 @@ recogniseWith ::
   [Composite] ->
   Either NetworkError Recognition
 recogniseWith tolerance reader composites =
-  sight (recogniserReader reader) composites >>= recogniseSeen tolerance reader composites
+  readFace (recogniserReader reader) composites >>= recogniseSeen tolerance reader composites
 
--- | 'recogniseWith' for composites that were already read by 'sight', whose result is the last
+-- | 'recogniseWith' for composites that were already read by 'readFace', whose result is the last
 -- argument.
 recogniseSeen ::
   KnownField k =>
   Tolerance ->
   Recogniser k ->
   [Composite] ->
-  Sight ->
+  FaceReading ->
   Either NetworkError Recognition
 recogniseSeen tolerance reader composites seen =
   case (contradictions, recognisedAnswer shown) of
@@ -116,7 +116,7 @@ recogniseSeen tolerance reader composites seen =
       pure (doubting tolerance (layoutDoubts reader tolerance composites shown) shown)
     (_, Left refusal)
       | refusal `elem` [NoSymbols, SymbolsUnclear] -> do
-        there <- seenInstead (fmap mostly . recogniseAsPut tolerance reader) composites
+        there <- diagnose (fmap mostly . recogniseAsPut tolerance reader) composites
         pure shown {recognisedAnswer = Left (ShownInstead there refusal)}
       | notMirrored refusal,
         Just layout <- likelierByFrames tolerance composites ->
@@ -145,11 +145,11 @@ shownMirrored shown = case recognisedAnswer shown of
 -- | The cells of the array that composites may show, if their frames were placed correctly. They
 -- are those of all places that are likely by the symbols alone, for the composites as given and, if
 -- they were read so, set upright.
-cellsShown :: KnownField k => Tolerance -> Recogniser k -> Sight -> [Position]
+cellsShown :: KnownField k => Tolerance -> Recogniser k -> FaceReading -> [Position]
 cellsShown tolerance reader seen =
-  foldMap cellsOf (sightAsGiven seen : [upright | (_, _, upright) <- toList (sightUpright seen)])
+  foldMap cellsOf (faceAsGiven seen : [upright | (_, _, upright) <- toList (faceUpright seen)])
   where
-    cellsOf = foldMap (likelyCells reader tolerance . gridCells . lookGrid) . readingLook
+    cellsOf = foldMap (likelyCells reader tolerance . gridCells . gridReadingCells) . readingOnGrid
 
 -- | 'recogniseWith' as if the frames were certainly placed correctly.
 recogniseAsPut ::
@@ -159,43 +159,43 @@ recogniseAsPut ::
   [Composite] ->
   Either NetworkError Recognition
 recogniseAsPut tolerance reader =
-  fmap (recognitionOf tolerance reader) . sight (recogniserReader reader)
+  fmap (recognitionOf tolerance reader) . readFace (recogniserReader reader)
 
 -- | Locates what was read. If composites were read both as given and set upright, 'preferred'
 -- chooses.
-recognitionOf :: KnownField k => Tolerance -> Recogniser k -> Sight -> Recognition
-recognitionOf tolerance reader seen = case sightUpright seen of
+recognitionOf :: KnownField k => Tolerance -> Recogniser k -> FaceReading -> Recognition
+recognitionOf tolerance reader seen = case faceUpright seen of
   Nothing -> asGiven
   Just (angle, places, upright) ->
-    preferred angle (axesTilted asGiven) (relocated angle places (located upright))
+    preferred angle (axesSkewed asGiven) (relocated angle places (located upright))
   where
-    asGiven = located (sightAsGiven seen)
-    located = either id (locatedLook tolerance reader) . readingLook
+    asGiven = located (faceAsGiven seen)
+    located = either id (locatedReading tolerance reader) . readingOnGrid
 
 -- | Locates symbols and parts on one grid.
-locatedLook :: KnownField k => Tolerance -> Recogniser k -> Look -> Recognition
-locatedLook tolerance reader look =
+locatedReading :: KnownField k => Tolerance -> Recogniser k -> GridReading -> Recognition
+locatedReading tolerance reader onGrid =
   Recognition
-    (lookSymbols look)
-    (lookParts look)
-    (gridCells (lookGrid look))
-    (gridAnchor (lookGrid look))
+    (gridReadingSymbols onGrid)
+    (gridReadingParts onGrid)
+    (gridCells (gridReadingCells onGrid))
+    (gridAnchor (gridReadingCells onGrid))
     (locationSupport location)
     (locationLikeliest location)
-    (lookTilt look)
-    (identificationAt reader (lookTilt look) location)
+    (gridReadingSkew onGrid)
+    (identificationAt reader (gridReadingSkew onGrid) location)
   where
-    location = locateGrid reader tolerance (lookDissenters look) (lookGrid look)
+    location = locateGrid reader tolerance (gridReadingDissenters onGrid) (gridReadingCells onGrid)
 
 -- | The answer or refusal for a located grid, whose symbols are turned by this angle in degrees.
 identificationAt ::
   KnownField k => Recogniser k -> Double -> GridLocation -> Either Refusal Identification
-identificationAt reader tilt location = case locationOutcome location of
+identificationAt reader skew location = case locationOutcome location of
   Placed position ->
     maybe
       (Left (NotLocated NoCompleteWindow))
       (Right . Found)
-      (findingAt reader tilt location position)
+      (findingAt reader skew location position)
   Undecided positions -> Right (Several (locationOrientation location) positions)
   WrongWayUp -> Left OrientationContradicts
   OffTheGrid -> Left GridContradicts

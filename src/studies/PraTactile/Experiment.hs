@@ -42,7 +42,7 @@ import PraTactile.Classification.Traingdx (Descent (..), Momentum (..))
 import PraTactile.Explore (Turns (..), halfTurns)
 import PraTactile.Sensor (presetName, presetSensor)
 import PraTactile.Shape (Alphabet, alphabetSize)
-import PraTactile.Steps (Steps, countingOn, inTurn, result)
+import PraTactile.Steps (Steps, inTurn, result, runningTotal)
 import PraTactile.SymbolImages
 
 -- | A setting: what is trained, and how. It gives three rows of the table, one for each 'Middle'.
@@ -168,8 +168,8 @@ imagesFor symbols source seeds = result (imagesSteps symbols source seeds)
 -- steps.
 imagesSteps :: Symbols -> ImageSource -> [Int] -> Steps Int (Either ImagesError Images)
 imagesSteps symbols source seeds = do
-  (n, trained) <- countingOn 0 (inTurn (map (materialSteps symbols source) seeds))
-  (_, tried) <- countingOn n (labelledSteps symbols source triedEach testSeed)
+  (n, trained) <- runningTotal 0 (inTurn (map (materialSteps symbols source) seeds))
+  (_, tried) <- runningTotal n (labelledSteps symbols source triedEach testSeed)
   pure (Images . zip seeds <$> sequenceA trained <*> tried)
 
 -- | The number of images that 'imagesFor' gives. Arguments: the numbers of classes and of seeds.

@@ -97,11 +97,12 @@ seenBy ::
   Templates ->
   (Raster -> Either NetworkError [Double]) ->
   [(Maybe (Int, Symmetry), Raster)] ->
-  Either NetworkError [Seen]
+  Either NetworkError [Labelled]
 seenBy shapesSeen told = traverse seen
   where
     seen (truth, image) =
-      Seen truth <$> (look shapesSeen image <$> told image <*> told (onRaster (turned 2) image))
+      Labelled truth
+        <$> (symbolFeatures shapesSeen image <$> told image <*> told (onRaster (turned 2) image))
 
 -- | The calibration of a classifier on 300 symbols and 100 other shapes of each condition.
 -- Arguments: the alphabet; its templates; the classifier's outputs for an image; a seed. No other

@@ -25,7 +25,7 @@ import Data.List (unfoldr)
 import Data.Maybe (listToMaybe)
 import qualified Data.Vector.Unboxed as Unboxed
 import PraTactile.Array (Position (..), Shape (..))
-import PraTactile.Composite.Tilt (leastTilt, setUpright, tilt)
+import PraTactile.Composite.Skew (leastSkew, setUpright, skew)
 import PraTactile.Explore
 import PraTactile.Geometry (columnPitch, rowPitch, symbolHeight, symbolWidth, taxelPitch)
 import PraTactile.Image (Raster, onRaster)
@@ -180,10 +180,10 @@ cutFrom symbols sensor turns face classAt surface g = do
       (specimen, g'') = drawSpecimen sensor g'
   frames <- right (pressRegion sensor (defaultSpacing sensor) specimen surface region g'')
   composite <- right (stitchedBy (symbolTables symbols) standardStitching (withoutStuck frames))
-  let whole = cleanedComposite (cleaned composite)
-      (upright, back, leftOver) = case tilt [whole] of
+  let whole = maskedComposite (maskForeign composite)
+      (upright, back, leftOver) = case skew [whole] of
         Just angle
-          | abs angle > leastTilt ->
+          | abs angle > leastSkew ->
             let (it, places) = setUpright angle whole in (it, places, regionTurn region - angle)
         _ -> (whole, id, regionTurn region)
       quarters = round (leftOver / 90) `mod` 4 :: Int

@@ -5,10 +5,10 @@
 module PraTactile.Composite
   ( Composite (..),
     PutFrame (..),
-    Otherwise (..),
-    Fault (..),
+    AlternativeLayout (..),
+    LayoutCause (..),
     Contradiction (..),
-    likeliestFault,
+    likeliestCause,
     asTaken,
     leastCoverage,
     compositeOf,
@@ -16,8 +16,8 @@ module PraTactile.Composite
     compositePixel,
     compositeFrom,
     blended,
-    Worth (..),
-    inFull,
+    BlendWeight (..),
+    fullWeight,
     weighted,
   )
 where
@@ -58,7 +58,7 @@ data Composite = Composite
     -- | The standard deviation, in taxels along each axis, of the position errors of frames that
     -- were not registered. Such frames lie at their nominal places, or no two of them overlap. 0
     -- for registered frames and for a single frame.
-    compositeUncompared :: !Double,
+    compositeUnregisteredError :: !Double,
     -- | The step of the readings ('readingStep'). Smaller differences are not contrast.
     compositeStep :: Double,
     -- | Whether the robot's axes were given.
@@ -67,7 +67,7 @@ data Composite = Composite
     compositeTaking :: !Taking,
     -- | Alternative layouts of the frames: with one frame elsewhere (most probable first), or with
     -- all frames elsewhere because the robot's positions are wrong.
-    compositeOthers :: [Otherwise],
+    compositeAlternatives :: [AlternativeLayout],
     -- | The contradiction of the frames, if they differ where they should overlap.
     compositeContradiction :: Maybe Contradiction,
     -- | The composite of the same frames along the axes of 'AgreeingAlong', if that is the
@@ -94,19 +94,19 @@ data PutFrame = PutFrame
   deriving stock (Eq, Show)
 
 -- | An alternative layout of a composite's frames.
-data Otherwise = Otherwise
-  { otherwiseFault :: !Fault,
+data AlternativeLayout = AlternativeLayout
+  { alternativeCause :: !LayoutCause,
     -- | Its share of the prior probability of such faults; 1 for 'OneFrame'.
-    otherwiseShare :: !Double,
+    alternativeShare :: !Double,
     -- | The likelihood ratio of this layout to the composite's; for 'OneFrame' the posterior odds.
-    otherwiseLikelier :: !Double,
+    alternativeRatio :: !Double,
     -- | The lattice under the frames in this layout; 'Nothing' if they have none in common.
-    otherwiseLattice :: Maybe Lattice
+    alternativeLattice :: Maybe Lattice
   }
   deriving stock (Eq, Show)
 
 -- | A reason for another layout.
-data Fault
+data LayoutCause
   = -- | one frame is elsewhere
     OneFrame
   | -- | the positions are along these axes, not along the stated ones
@@ -140,16 +140,16 @@ data Contradiction
 -- layout in use exceed the limit. The arguments are the limit, the frames' places (millimetres),
 -- and the faults with their odds. If the fault is not 'farMore' probable than the layout in use and
 -- all other faults, the result is 'AgreeingAnywhere'.
-likeliestFault :: Double -> [(Double, Double)] -> [(Fault, Double)] -> Maybe Contradiction
-likeliestFault limit places weighed = case sortOn (negate . snd) (filter ofAll weighed) of
-  (fault, odds) : rest
+likeliestCause :: Double -> [(Double, Double)] -> [(LayoutCause, Double)] -> Maybe Contradiction
+likeliestCause limit places weighed = case sortOn (negate . snd) (filter ofAll weighed) of
+  (cause, odds) : rest
     | odds > limit ->
-      let others = 1 : [o | (other, o) <- rest, not (alike fault other)]
+      let others = 1 : [o | (other, o) <- rest, not (alike cause other)]
           certain = all ((odds >) . (farMore *)) others
-       in Just (contradictionBy places (if certain then fault else Anywhere))
+       in Just (contradictionBy places (if certain then cause else Anywhere))
   _ -> Nothing
   where
-    ofAll (fault, _) = fault `notElem` [OneFrame, Slip]
+    ofAll (cause, _) = cause `notElem` [OneFrame, Slip]
     alike (OtherScale _ _) (OtherScale _ _) = True
     alike _ _ = False
 
@@ -158,8 +158,8 @@ farMore :: Double
 farMore = 1e4
 
 -- | The contradiction that a fault means for frames at the given places (millimetres).
-contradictionBy :: [(Double, Double)] -> Fault -> Contradiction
-contradictionBy places fault = case fault of
+contradictionBy :: [(Double, Double)] -> LayoutCause -> Contradiction
+contradictionBy places cause = case cause of
   OtherAxes axes -> AgreeingAlong axes
   OtherScale across down -> AgreeingAtScale across down
   _ -> AgreeingAnywhere (length places) (extent fst) (extent snd)
@@ -188,11 +188,11 @@ compositeOf image =
       compositeOrigin = (0, 0),
       compositeDisplacements = [],
       compositePositionError = Nothing,
-      compositeUncompared = 0,
+      compositeUnregisteredError = 0,
       compositeStep = readingStep [image],
       compositeAxesStated = False,
       compositeTaking = standardTaking,
-      compositeOthers = [],
+      compositeAlternatives = [],
       compositeContradiction = Nothing,
       compositeAgreeing = Nothing,
       compositeFrames = [],
@@ -236,7 +236,7 @@ weighted composite =
 -- and 'known' in the coverage.
 blended ::
   (Double, Double) ->
-  NonEmpty ((Taxels, Raster), Worth) ->
+  NonEmpty ((Taxels, Raster), BlendWeight) ->
   [Taxels] ->
   Composite
 blended (left, top) images displacements =
@@ -246,11 +246,11 @@ blended (left, top) images displacements =
       compositeOrigin = origin,
       compositeDisplacements = displacements,
       compositePositionError = Nothing,
-      compositeUncompared = 0,
+      compositeUnregisteredError = 0,
       compositeStep = readingStep (map (snd . fst) (NonEmpty.toList images)),
       compositeAxesStated = False,
       compositeTaking = standardTaking,
-      compositeOthers = [],
+      compositeAlternatives = [],
       compositeContradiction = Nothing,
       compositeAgreeing = Nothing,
       compositeFrames = [],
@@ -269,36 +269,37 @@ blended (left, top) images displacements =
     onGrid ((x, y), im) = ((x - fromIntegral x0, y - fromIntegral y0), im)
     Blend allSums allWeights = laid fst
     (sums, weights, coverage)
-      | all ((== inFull) . snd) images =
+      | all ((== fullWeight) . snd) images =
         (allSums, allWeights, allWeights)
       | otherwise = (total times, total inMean, total inCoverage)
     total value = blendSums (laid (\((place, im), counts) -> (place, value counts im)))
     -- The weight of each pixel of an image, if pixels of dead elements have the weight @least@.
-    worth least felt im =
+    livingShare least felt im =
       maybe (mapRaster (const 1) im) (mapRaster (\share -> share + least * (1 - share))) felt
     inMean counts im =
-      touching counts (mapRaster (worthCount counts *) (worth interpolated (worthFelt counts) im))
-    inCoverage counts = touching counts . worth known (worthFelt counts)
-    touching counts r = maybe r (orElse r . zipRaster (*) r) (worthTouch counts)
+      touching counts . mapRaster (weightInMean counts *) $
+        livingShare interpolated (weightOfLiving counts) im
+    inCoverage counts = touching counts . livingShare known (weightOfLiving counts)
+    touching counts r = maybe r (orElse r . zipRaster (*) r) (weightOfTouch counts)
     times counts im = orElse im (zipRaster (*) (inMean counts im) im)
     means = orElse sums (zipRaster (\s w -> if w < leastWeight then 0 else s / w) sums weights)
     -- The rasters have one size, so this default is never used.
     orElse other = either (const other) id
 
 -- | The weight of an image in a blend.
-data Worth = Worth
+data BlendWeight = BlendWeight
   { -- | Its weight in the mean.
-    worthCount :: !Double,
+    weightInMean :: !Double,
     -- | The weight of each pixel, 0 to 1, by how well it touched; 1 if 'Nothing'.
-    worthTouch :: !(Maybe Raster),
+    weightOfTouch :: !(Maybe Raster),
     -- | The share of each pixel that comes from living elements; 1 if 'Nothing'.
-    worthFelt :: !(Maybe Raster)
+    weightOfLiving :: !(Maybe Raster)
   }
   deriving stock (Eq, Show)
 
 -- | The weight of an image without dead elements: 1 everywhere.
-inFull :: Worth
-inFull = Worth 1 Nothing Nothing
+fullWeight :: BlendWeight
+fullWeight = BlendWeight 1 Nothing Nothing
 
 -- | The weight in the mean of a value that replaces a dead element, relative to a living one. It
 -- is enough to be the mean where no other frame felt the place.

@@ -1,12 +1,12 @@
--- | Stitching (the paper's section IV): combines overlapping frames with known nominal poses into
--- one composite image. Two-dimensional cross-correlation corrects the misalignment of successive
--- frames.
+-- | Stitching (the paper's section IV): overlapping frames with nominal poses become one composite
+-- image. Registration corrects their misalignment first; the paper does so by two-dimensional
+-- cross-correlation.
 module PraTactile.Registration
   ( -- * Composites
     Composite (..),
     PutFrame (..),
-    Otherwise (..),
-    Fault (..),
+    AlternativeLayout (..),
+    LayoutCause (..),
     Contradiction (..),
     compositeOf,
     compositePosition,
@@ -44,16 +44,16 @@ import qualified Data.List.NonEmpty as NonEmpty
 import Data.Maybe (fromMaybe, isJust)
 import qualified Data.Vector.Storable as V
 import PraTactile.Composite
-  ( Composite (..),
+  ( AlternativeLayout (..),
+    BlendWeight (..),
+    Composite (..),
     Contradiction (..),
-    Fault (..),
-    Otherwise (..),
+    LayoutCause (..),
     PutFrame (..),
-    Worth (..),
     blended,
     compositeOf,
     compositePosition,
-    likeliestFault,
+    likeliestCause,
   )
 import PraTactile.Composite.Blend (Taxels, plus)
 import PraTactile.Composite.Lattice (movedLattice)
@@ -86,94 +86,91 @@ import PraTactile.Sensor.Frame (Frame (..), Pose (..), isTaxelPitch)
 import PraTactile.Sensor.Manifest (alongAxes)
 import PraTactile.Sensor.Resample (canonicalSize, isCanonical)
 
--- | Why frames cannot be stitched. A frame is named by its index in the list, from 0.
+-- | Why frames cannot be stitched. Frames are numbered from 0 by their place in the list.
 data StitchError
   = -- | There is no frame.
     NoFrames
-  | -- | There are this many frames, more than 'maxFrames'.
+  | -- | There are more frames than 'maxFrames': their number.
     TooManyFrames !Int
-  | -- | This frame has another size than the first one, or not 4 x 4 to 256 x 256 taxels: its
-    -- index, width and height.
+  | -- | A frame differs in size from the first, or is not of 4 x 4 to 256 x 256 taxels: its number,
+    -- width and height.
     FrameSize !Int !Int !Int
-  | -- | This frame is too small to undo its rotation, which is not a multiple of 90 degrees: its
-    -- index, and its rotation in degrees.
+  | -- | A frame is too small to be turned by its rotation, which is not a multiple of 90 degrees:
+    -- its number and rotation.
     FrameRotation !Int !Double
-  | -- | The pose of this frame, or one of its values, is infinite or NaN.
+  | -- | The pose or a value of this frame is infinite or not a number.
     FrameNotFinite !Int
-  | -- | The pitch of this frame's taxels is outside 'taxelPitches': its index, and the pitch in
-    -- millimetres.
+  | -- | A frame's taxel pitch is not one of 'taxelPitches': its number and its pitch, millimetres.
     FramePitch !Int !Double
-  | -- | The frames have this many pixels together, more than 'maxFramePixels'.
+  | -- | The frames have more than 'maxFramePixels' pixels together: their number.
     TooManyFramePixels !Int
-  | -- | The composite would have more than 'maxCompositePixels' pixels, because the frames lie far
-    -- apart: its width and height in taxels.
+  | -- | The composite would have more than 'maxCompositePixels' pixels: its width and height,
+    -- taxels.
     AreaTooLarge !Double !Double
-  | -- | Registering the frames by the requested method would take too much time or memory.
+  | -- | Registration by the chosen method would cost too much.
     TooMuchToRegister !TooMuch
   | -- | The settings are unusable: a sigma that is not positive, negative noise, or a search radius
     -- that is negative or above 64 taxels.
     UnusableRegistration !Registration
   deriving stock (Eq, Show)
 
--- | The most pixels of a composite.
+-- | The most pixels a composite may have.
 maxCompositePixels :: Int
 maxCompositePixels = 4194304
 
--- | The most pixels of a whole image: 1024 x 1024, which take a second to examine.
+-- | The most pixels a whole image may have: 1024 x 1024, which take a second to examine.
 maxImagePixels :: Int
 maxImagePixels = 1048576
 
--- | The most frames of a composite.
+-- | The most frames a composite may be made of.
 maxFrames :: Int
 maxFrames = 10000
 
--- | The most pixels of all frames together. A frame counts with its own pixels, or with those at
--- the canonical pitch if these are more.
+-- | The most pixels that all frames may have together. Each frame counts at its own pitch or at the
+-- canonical one, whichever has more pixels.
 maxFramePixels :: Int
 maxFramePixels = 8388608
 
--- | Stitches frames: finds their displacements by 'Automatic' and blends them. Each pixel of the
--- composite is the weighted mean of the frames' values there, with bilinear weights. Dead elements
--- ('frameDead') have nearly no weight where another frame has living ones. The composite does not
--- depend on the order of the frames, and if all poses are shifted it is shifted with them. A single
--- frame of rotation 0 is returned as it is. The tables are those of the symbols that may have been
--- touched.
+-- | Registers frames and blends them into a composite. Each pixel is the mean of the frames there,
+-- with bilinear weights. Pixels of dead elements ('frameDead') have next to no weight where a
+-- living element felt the place. The order of the frames does not matter, and the composite moves
+-- with their poses. A single frame of rotation 0 is returned unchanged. The tables are those of the
+-- symbols that may have been felt.
 stitch :: LatticeTables -> Registration -> [Frame] -> Either StitchError Composite
 stitch tables settings = fmap assemblyComposite . assemble tables Automatic settings
 
--- | The settings with the noise that the frames show ('frameNoise'), for a sensor whose noise is
--- unknown.
+-- | Sets the noise to what the frames show ('frameNoise'), for a sensor of unknown noise.
 withNoiseOf :: [Frame] -> Registration -> Registration
 withNoiseOf frames settings = settings {registrationNoise = frameNoise (map frameImage frames)}
 
--- | Blends frames at their nominal places: stitching without any correction.
+-- | Blends frames at their nominal places, without registration.
 placeOnly :: [Frame] -> Either StitchError Composite
 placeOnly =
   fmap assemblyComposite
     . assembledAs (\_ _ -> Right . unarranged Nominal . map (fmap fst)) standardRegistration
 
--- | A composite, and how its frames were registered.
+-- | A composite, and how it was made.
 data Assembly = Assembly
   { assemblyComposite :: !Composite,
     -- | The method that was used; never 'Automatic'.
     assemblyMethod :: !StitchMethod,
-    -- | What is known of each frame, in the order of the frames.
+    -- | Each frame, in the order of the frames.
     assemblyFrames :: ![Registered],
-    -- | The root mean squared difference of each frame from the others at the same places,
-    -- expressed as the noise of one frame; 'Nothing' if no two frames overlap.
+    -- | The root of the mean squared difference of the frames from the others, as the noise of one
+    -- frame; 'Nothing' if no two overlap.
     assemblyResidual :: Maybe Double
   }
 
 -- | Registers frames by the given method, and blends them. The tables are those of the symbols that
--- may have been touched.
+-- may have been felt.
 assemble :: LatticeTables -> StitchMethod -> Registration -> [Frame] -> Either StitchError Assembly
 assemble tables method = assembledAs (arrange tables method)
 
--- | A way of arranging frames. Arguments: the settings; the origin of places, in the robot's
--- coordinates; each frame with its nominal place. All lengths are taxels.
+-- | Registers frames, given the settings, the origin of their places in the robot's coordinates,
+-- and each frame with its nominal place; taxels.
 type Arranging = Registration -> Taxels -> [(Taxels, Touched)] -> Either TooMuch Arrangement
 
--- | Checks frames and settings, arranges the frames in the given way, and blends them.
+-- | Checks frames, registers them by the given function, and blends them.
 assembledAs :: Arranging -> Registration -> [Frame] -> Either StitchError Assembly
 assembledAs arranging settings frames = do
   given <- maybe (Left NoFrames) Right (nonEmpty frames)
@@ -181,7 +178,7 @@ assembledAs arranging settings frames = do
   unless (usable settings) (Left (UnusableRegistration settings))
   compose arranging settings given
 
--- | Places frames in taxels, arranges them, and blends them.
+-- | Places frames in taxels, registers them, and blends them.
 compose :: Arranging -> Registration -> NonEmpty Frame -> Either StitchError Assembly
 compose arranging settings frames = do
   given <- traverse (uncurry uprighted) (NonEmpty.zip (0 :| [1 ..]) frames)
@@ -190,7 +187,7 @@ compose arranging settings frames = do
   (seen, arrangement) <- first TooMuchToRegister (arrangedScene arranging supposed scene)
   let put = putTogether scene seen arrangement
       made = blendedScene settings scene arrangement put
-  -- Blending needs memory for the whole area, so the corrected places are checked too.
+  -- Blending relies on this limit.
   checkArea (fmap (\one -> (laidPlace one, laidImage one)) put)
   pure
     Assembly
@@ -213,10 +210,9 @@ compose arranging settings frames = do
       _ -> Nothing
     along axes frame = frame {framePose = alongAxes axes (framePose frame)}
 
--- | The frames of a scene as they were arranged, and their arrangement. If the presses are tilted,
--- the frames are first corrected to those of even presses; that counts only if they are then
--- registered by a lattice. Otherwise the frames are arranged as they are. The function gives the
--- settings for frames.
+-- | Registers the frames of a scene. If they are tilted, the frames as even presses would read them
+-- come first; the result counts if it shows a lattice. Otherwise the frames are registered as they
+-- are read.
 arrangedScene ::
   Arranging ->
   (NonEmpty Placed -> Registration) ->
@@ -236,19 +232,19 @@ arrangedScene arranging supposed scene = do
           (robotOrigin scene)
           [(placeIn scene p, (placedImage p, placedTouch p)) | p <- toList seen]
 
--- | A frame in its place.
+-- | A registered frame, ready to be blended.
 data Laid = Laid
   { laidFrom :: !Placed,
-    -- | Its displacement from its nominal place, and the resulting place of its upper left pixel,
-    -- in taxels.
+    -- | Its displacement, taxels.
     laidShift :: !Taxels,
+    -- | The place of its upper left pixel after the displacement, taxels.
     laidPlace :: !Taxels,
-    -- | Its image, on the common scale of all frames.
+    -- | Its image on the common scale.
     laidImage :: !Raster,
     laidLevel :: !Level
   }
 
--- | The frames of a scene in the places of an arrangement, on a common scale.
+-- | Moves the frames of a scene by their displacements, and brings them to one scale.
 putTogether :: Scene -> NonEmpty Placed -> Arrangement -> NonEmpty Laid
 putTogether scene seen arrangement = NonEmpty.zipWith put (NonEmpty.zip seen levels) shifts
   where
@@ -260,27 +256,27 @@ putTogether scene seen arrangement = NonEmpty.zipWith put (NonEmpty.zip seen lev
     put (p, level) shift =
       Laid p shift (placeIn scene p `plus` shift) (levelled level (placedImage p)) level
 
--- | The composite of frames in their places, with what their arrangement says about it. Arguments:
--- the settings; the scene; the arrangement; the frames.
+-- | The composite of registered frames, with the findings of their registration.
 blendedScene :: Registration -> Scene -> Arrangement -> NonEmpty Laid -> Composite
 blendedScene settings scene arrangement put =
   (blended (sceneCorner scene) (fmap counted put) (ofEachFrame scene shifts))
-    { compositeUncompared = if length put == 1 || compared then 0 else supposedSigma settings,
+    { compositeUnregisteredError =
+        if length put == 1 || compared then 0 else supposedSigma settings,
       compositePositionError = arrangementSigma arrangement,
       compositeLattice = fromRobot <$> arrangementLattice arrangement,
-      compositeOthers = others,
+      compositeAlternatives = others,
       compositeContradiction =
-        likeliestFault
+        likeliestCause
           (exp decisive)
           (map (placedAt . laidFrom) (toList put))
-          [(otherwiseFault other, otherwiseLikelier other) | other <- others],
+          [(alternativeCause other, alternativeRatio other) | other <- others],
       compositeFrames = map putFrame (toList put)
     }
   where
     shifts = map registeredShift (arrangementFrames arrangement)
     counted one =
       ( (laidPlace one, laidImage one),
-        Worth
+        BlendWeight
           (levelWeight (laidLevel one))
           (placedTouch (laidFrom one))
           (placedFelt (laidFrom one))
@@ -289,16 +285,14 @@ blendedScene settings scene arrangement put =
       arrangementMethod arrangement /= Nominal && isJust (arrangementResidual arrangement)
     fromRobot = movedLattice (robotOrigin scene)
     others =
-      [ other {otherwiseLattice = fromRobot <$> otherwiseLattice other}
-        | other <- arrangementOthers arrangement
+      [ other {alternativeLattice = fromRobot <$> alternativeLattice other}
+        | other <- arrangementAlternatives arrangement
       ]
-    -- Its nominal place, and its displacement from there.
+    -- Its nominal place and its displacement.
     putFrame one =
       let p = laidFrom one
        in PutFrame (placedAt p) (laidShift one) (laidImage one) (placedTouch p <|> placedFelt p)
 
--- | Refuses images, given with their places in taxels, that extend over more than
--- 'maxCompositePixels' pixels. Places are counted from the composite's upper left corner.
 checkArea :: NonEmpty (Taxels, Raster) -> Either StitchError ()
 checkArea images
   | width * height <= fromIntegral maxCompositePixels = Right ()
@@ -307,7 +301,7 @@ checkArea images
     width = maximum (fmap (\((x, _), image) -> x + fromIntegral (rasterWidth image)) images)
     height = maximum (fmap (\((_, y), image) -> y + fromIntegral (rasterHeight image)) images)
 
--- | Refuses frames that cannot be placed or would take too much memory, before any is resampled.
+-- | Refuses frames that cannot be placed, or would take too much memory, before any is resampled.
 checkFrames :: NonEmpty Frame -> Either StitchError ()
 checkFrames frames@(one :| _) = do
   when (length frames > maxFrames) (Left (TooManyFrames (length frames)))
@@ -318,8 +312,8 @@ checkFrames frames@(one :| _) = do
     largest frame = max (area (rasterSize (frameImage frame))) (area (canonicalSize frame))
     area (w, h) = w * h
 
--- | Refuses a frame of another size than the first one, or with a size, a number or a pitch that no
--- frame has. Arguments: the first frame; the index of the frame; the frame.
+-- | Refuses the i-th frame if its size differs from the first one's, or if its size, pose, values
+-- or pitch are unusable.
 checkFrame :: Frame -> Int -> Frame -> Either StitchError ()
 checkFrame one i given
   | (w, h) /= rasterSize (frameImage one) || not (possible w && possible h) =

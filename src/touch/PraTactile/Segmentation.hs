@@ -15,8 +15,8 @@ module PraTactile.Segmentation
     segmentAlong,
 
     -- * Foreign regions
-    cleaned,
-    Cleaned (..),
+    maskForeign,
+    ForeignMasked (..),
 
     -- * Parts of symbols
     Part (..),
@@ -27,7 +27,7 @@ module PraTactile.Segmentation
 where
 
 import PraTactile.Segmentation.Along (onComposite, segmentAlong)
-import PraTactile.Segmentation.Foreign (Cleaned (..), cleaned)
+import PraTactile.Segmentation.Foreign (ForeignMasked (..), maskForeign)
 import PraTactile.Segmentation.Part (Part (..), leastSeen, partAt)
 import PraTactile.Segmentation.Symbol
 import PraTactile.Segmentation.Upright (leastTouched, segment)

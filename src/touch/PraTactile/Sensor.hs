@@ -108,7 +108,8 @@ reading sensor
 
 -- | Heights in mm as shares of full scale (mm), clipped to 0..1, for a sensor with these tilts.
 sharesOfScale :: Double -> (Double, Double) -> Raster -> Raster
-sharesOfScale full tilts heights = generate w h (\x y -> clipped (at x y + nearer (w, h) tilts x y))
+sharesOfScale full tilts heights =
+  generate w h (\x y -> clipped (at x y + tiltRise (w, h) tilts x y))
   where
     (w, h) = rasterSize heights
     at x y = fromMaybe 0 (index heights x y)

@@ -9,7 +9,7 @@ module PraTactile.Steps
     counted,
     summed,
     relabelled,
-    countingOn,
+    runningTotal,
     inTurn,
   )
 where
@@ -74,8 +74,8 @@ relabelled f steps = case steps of
 
 -- | Adds a start value to steps that are running totals. The result comes with the last total,
 -- which is the start value if there are no steps.
-countingOn :: Num n => n -> Steps n a -> Steps n (n, a)
-countingOn start = go start
+runningTotal :: Num n => n -> Steps n a -> Steps n (n, a)
+runningTotal start = go start
   where
     go latest steps = case steps of
       Step n more -> let n' = start + n in n' `seq` Step n' (go n' more)
@@ -88,4 +88,4 @@ countingOn start = go start
 inTurn :: Num n => [Steps n a] -> Steps n [a]
 inTurn = fmap (reverse . snd) . foldM one (0, [])
   where
-    one (start, before) steps = fmap (: before) <$> countingOn start steps
+    one (start, before) steps = fmap (: before) <$> runningTotal start steps

@@ -28,7 +28,7 @@ import PraTactile.Pose (faceFrameOf)
 import PraTactile.Profile
 import PraTactile.Recognise
 import PraTactile.Recognise.Recognition (unanswered)
-import PraTactile.Recognise.Summary (shownTilt)
+import PraTactile.Recognise.Summary (shownSkew)
 import PraTactile.Registration hiding (stitch)
 import PraTactile.Relief
 import PraTactile.Segmentation (SymbolImage (..))
@@ -179,7 +179,7 @@ pictureSpec (layout, _, alphabet) array reader = describe "pictures of recogniti
                           sideways = exchangesAxes (foundOrientation found)
                           (x, y) = windowSeenAt (foundWindow found)
                           -- The frame lies as the face does.
-                          turn = abs (shownTilt recognition) * pi / 180
+                          turn = abs (shownSkew recognition) * pi / 180
                           box (w, h) = (w * cos turn + h * sin turn, w * sin turn + h * cos turn)
                        in counterexample
                             "on the composite"
@@ -228,15 +228,15 @@ pictureSpec (layout, _, alphabet) array reader = describe "pictures of recogniti
                     fromIntegral (rasterHeight (compositeImage composite)) - 0.5
                   )
                 truth = Truth (laidFace face) (trialRegion known) (0, 0) Nothing
-                tilted = recognisedTilt recognition * pi / 180
-                most = taxelPitch * (2 + abs tilted * sqrt (w * w + h * h) / 2)
+                skewed = recognisedSkew recognition * pi / 180
+                most = taxelPitch * (2 + abs skewed * sqrt (w * w + h * h) / 2)
                 corners =
                   map
                     (truePlace truth . compositePosition composite)
                     [(-0.5, -0.5), (w, -0.5), (w, h), (-0.5, h)]
              in conjoin
                   [ counterexample
-                      (show (a, b, tilted))
+                      (show (a, b, skewed))
                       (abs (fst a - fst b) < most && abs (snd a - snd b) < most)
                     | (a, b) <- zip (map onItsFace points) corners
                   ]
@@ -396,7 +396,7 @@ symbolWithin (w, h) = do
         readSeen = 1,
         readLikeliest = what,
         readChances = [(what, 1)],
-        readUnlike = -10
+        readForeignShape = -10
       }
 
 named :: Text -> Drawing -> Drawing

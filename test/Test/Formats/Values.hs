@@ -209,13 +209,13 @@ names = do
         reasonsOf
           ( Assembly
               (compositeOf (constant 1 1 0))
-              Jointly
+              ByPairs
               [Registered (0, 0) Nothing p [] group | (group, p) <- frames]
               Nothing
           )
           `shouldBe` expected
   it "the ways to assemble frames have the names of the option" $
-    map stitchMethodName [Automatic, ByLattice, Jointly, Incremental, Nominal]
+    map stitchMethodName [Automatic, ByLattice, ByPairs, Incremental, Nominal]
       `shouldBe` ["auto", "lattice", "joint", "incremental", "nominal"]
   where
     text' = id :: String -> String

@@ -10,7 +10,7 @@ import qualified Data.Vector.Unboxed as Unboxed
 import PraTactile.Array
 import PraTactile.Classification.Reader (Reader (..))
 import PraTactile.Composite.Lattice
-import PraTactile.Composite.Tilt
+import PraTactile.Composite.Skew
 import PraTactile.Field (KnownField)
 import PraTactile.Geometry (symbolThickness)
 import PraTactile.Image
@@ -19,10 +19,10 @@ import PraTactile.Recognise
 import PraTactile.Recognise.FaceGrid
 import PraTactile.Recognise.Recognition (preferred)
 import PraTactile.Registration
-  ( Composite (..),
+  ( AlternativeLayout (..),
+    Composite (..),
     Contradiction (..),
-    Fault (..),
-    Otherwise (..),
+    LayoutCause (..),
     PutFrame (..),
     compositeOf,
     compositePosition,
@@ -43,9 +43,9 @@ import Test.Recognition.Symbols
 
 spec :: Spec
 spec = do
-  describe "the tilt of a composite" tiltSpec
+  describe "the skew of a composite" skewSpec
   describe "a composite set upright" uprightSpec
-  describe "the tilt of symbols on a grid" gridSpec
+  describe "the skew of symbols on a grid" gridSpec
   describe "symbols read as they are, or set upright" preferredSpec
   onPaper $ \setting -> do
     describe "a face at any angle" (angleSpec setting)
@@ -56,17 +56,17 @@ gridSpec = do
   prop "without an image's angle it is theirs, wherever they lie and whatever way up they are" $
     forAll (choose (-44, 44)) $ \angle ->
       forAll (elements rotations) $ \way ->
-        near 1e-6 angle (gridTilt Nothing (gridOf way angle (3, 4)))
+        near 1e-6 angle (gridSkew Nothing (gridOf way angle (3, 4)))
   prop "where the image says the same, it is that" $
     forAll (choose (-44, 44)) $ \angle ->
-      near 1e-6 angle (gridTilt (Just angle) (gridOf identity angle (2, 2)))
+      near 1e-6 angle (gridSkew (Just angle) (gridOf identity angle (2, 2)))
   prop "of a single symbol, which has none, it is the image's" $
     forAll (choose (-44, 44)) $ \angle ->
-      near 1e-3 angle (gridTilt (Just angle) (gridOf identity 0 (1, 1)))
-        .&&. gridTilt Nothing (gridOf identity angle (1, 1)) === 0
+      near 1e-3 angle (gridSkew (Just angle) (gridOf identity 0 (1, 1)))
+        .&&. gridSkew Nothing (gridOf identity angle (1, 1)) === 0
   it "many symbols are believed before an image, and an image before two of which one is off" $ do
-    gridTilt (Just 0) (gridOf identity 6 (4, 5)) `shouldSatisfy` (\a -> a > 5 && a <= 6)
-    gridTilt (Just 0) (gridOf identity 3.6 (1, 2)) `shouldSatisfy` (\a -> a >= 0 && a < 1.8)
+    gridSkew (Just 0) (gridOf identity 6 (4, 5)) `shouldSatisfy` (\a -> a > 5 && a <= 6)
+    gridSkew (Just 0) (gridOf identity 3.6 (1, 2)) `shouldSatisfy` (\a -> a >= 0 && a < 1.8)
   where
     near most wanted found = counterexample (show found) (abs (found - wanted) < most)
 
@@ -115,21 +115,21 @@ preferredSpec =
         { readChances = [((identity, 0), 1 - doubt), ((identity, 1), doubt)]
         }
 
-tiltSpec :: Spec
-tiltSpec = do
+skewSpec :: Spec
+skewSpec = do
   it "of a straight edge is the edge's angle, to half a degree; nearly upright, nearly that" $
     for_ [-42, -38 .. 42] $ \angle ->
       for_ [-3.3, 0, 2.7] $ \away ->
-        tilt [compositeOf (edge angle away)]
+        skew [compositeOf (edge angle away)]
           -- Rows and columns of pixels draw what lies nearly along them.
           `shouldSatisfy` maybe False ((< if abs angle < 4 then 3 else 0.5) . abs . subtract angle)
   it "is none where nothing changes, or there is no place to tell" $
     for_ [constant 30 30 0, constant 30 30 0.7, constant 2 9 0, constant 0 0 0] $ \image ->
-      tilt [compositeOf image] `shouldBe` Nothing
+      skew [compositeOf image] `shouldBe` Nothing
   prop "is the same to a quarter turn however the image lies" $
     forAll (choose (-40, 40)) $ \angle ->
       forAll (elements rotations) $ \symmetry ->
-        let seen = tilt . pure . compositeOf
+        let seen = skew . pure . compositeOf
             image = edge angle 1.3
          in counterexample (show (seen image, seen (onRaster symmetry image))) $
               maybe False (< 0.3) (apart <$> seen image <*> seen (onRaster symmetry image))
@@ -261,15 +261,18 @@ foreignSpec setting = do
           there = ours 3 4 (Position 2 9)
           among others =
             either (const Nothing) Just $
-              recogniseWith standardTolerance reader [(latticed here) {compositeOthers = others}]
+              recogniseWith
+                standardTolerance
+                reader
+                [(latticed here) {compositeAlternatives = others}]
           told others =
             fmap doubtOfStitching (among others >>= fmap supportDoubts . recognisedSupport)
-          oneFrame odds shown = Otherwise OneFrame 1 odds (latticeOf shown)
+          oneFrame odds shown = AlternativeLayout OneFrame 1 odds (latticeOf shown)
       told [] `shouldBe` Just 0
       told [oneFrame 0.004 there] `shouldSatisfy` near' 1e-6 (0.004 / 1.004)
       told [oneFrame 0.3 here] `shouldBe` Just 0
       -- What shows nothing in common shows something else.
-      told [Otherwise OneFrame 1 0.004 Nothing] `shouldSatisfy` near' 1e-6 (0.004 / 1.004)
+      told [AlternativeLayout OneFrame 1 0.004 Nothing] `shouldSatisfy` near' 1e-6 (0.004 / 1.004)
       map (fmap isFound . among) [[], [oneFrame 0.004 there], [oneFrame 0.2 there]]
         `shouldBe` [Just True, Just True, Just False]
   it "other axes weigh as their odds are beforehand, where the array has them as likely" $ do
@@ -282,8 +285,13 @@ foreignSpec setting = do
                 { compositeAxesStated = stated,
                   compositeFrames = replicate 2 (PutFrame (0, 0) (0, 0) (constant 4 4 0) Nothing),
                   compositeLattice = inFrames size id classes,
-                  compositeOthers =
-                    [Otherwise (OtherAxes acrossNegated) 0.4 1 (inFrames size flipped classes)]
+                  compositeAlternatives =
+                    [ AlternativeLayout
+                        (OtherAxes acrossNegated)
+                        0.4
+                        1
+                        (inFrames size flipped classes)
+                    ]
                 }
             ]
         sixColumns = told (ours 4 6 (Position 6 5)) (2, 2) False

@@ -85,7 +85,7 @@ spec = do
         before <- right (told image)
         after <- right (told (onRaster (turned 2) image))
         over (estimateLikeliest after) `shouldBe` estimateLikeliest before
-        abs (estimateUnlike after - estimateUnlike before) `shouldSatisfy` (< 1e-6)
+        abs (estimateForeignShape after - estimateForeignShape before) `shouldSatisfy` (< 1e-6)
         for_ (estimateChances after) $ \(what, chance) ->
           estimateChance before (over what) `shouldSatisfy` \p -> abs (p - chance) < 1e-9
   it "a mirror image of a symbol is not recognised, clean or with noise" $

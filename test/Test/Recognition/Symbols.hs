@@ -22,5 +22,5 @@ symbolOf n place what =
       readSeen = 1,
       readLikeliest = what,
       readChances = [(what, 1)],
-      readUnlike = -10
+      readForeignShape = -10
     }

@@ -52,8 +52,8 @@ middle sideways (i, j)
   | sideways = (20 * fromIntegral j + 9.5, 16 * fromIntegral i + 7.5)
   | otherwise = (16 * fromIntegral j + 7.5, 20 * fromIntegral i + 9.5)
 
-cleanly :: Composite -> Cleaned
-cleanly composite = Cleaned composite Nothing []
+cleanly :: Composite -> ForeignMasked
+cleanly composite = ForeignMasked composite Nothing []
 
 genDrawn :: Bool -> (Int, Int) -> Gen [Placed]
 genDrawn sideways (high, wide) = do
@@ -212,7 +212,7 @@ partSpec known seen reader =
             | otherwise = (negate (top + h - 1), left)
        in (compositeOf (onRaster axis part))
             { compositeOrigin = (taxelPitch * fromIntegral x0, taxelPitch * fromIntegral y0),
-              compositeUncompared = sigma
+              compositeUnregisteredError = sigma
             }
     alike a b =
       counterexample (show (a, b)) $

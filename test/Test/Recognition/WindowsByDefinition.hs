@@ -43,10 +43,10 @@ spec =
                      in foundAsDefined window (settingLayout setting) onArray' scene found
                           .&&. forAll
                             (choose (-45, 45))
-                            (\tilt -> foundTilted reader tilt location (scenePosition scene) found)
+                            (\skew -> foundSkewed reader skew location (scenePosition scene) found)
 
 -- | Whether windows are seen where they turn to with their symbols.
-foundTilted ::
+foundSkewed ::
   KnownField k =>
   Recogniser k ->
   Double ->
@@ -54,12 +54,12 @@ foundTilted ::
   Position ->
   Maybe Finding ->
   Property
-foundTilted reader tilt location position found =
-  conjoin (zipWith close (seenIn found id) (seenIn (findingAt reader tilt turnedSo position) back))
+foundSkewed reader skew location position found =
+  conjoin (zipWith close (seenIn found id) (seenIn (findingAt reader skew turnedSo position) back))
   where
-    turnedSo = location {locationCells = Map.map (map tilted) (locationCells location)}
-    tilted s = s {readAt = rotated tilt (readAt s)}
-    back = rotated (negate tilt)
+    turnedSo = location {locationCells = Map.map (map skewed) (locationCells location)}
+    skewed s = s {readAt = rotated skew (readAt s)}
+    back = rotated (negate skew)
     seenIn answer place = concatMap (map (place . windowSeenAt) . windowsOf) answer
     windowsOf answer = foundWindow answer : foundWindows answer
     close (x, y) (x', y') =

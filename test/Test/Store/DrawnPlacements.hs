@@ -7,8 +7,8 @@ import Data.Foldable (for_)
 import Numeric.Natural (Natural)
 import PraTactile.Array (Position (..), Shape (..), shapeCells)
 import PraTactile.Object.Description (rotations)
+import PraTactile.Object.PaperObjects (cube)
 import PraTactile.Object.Placement
-import PraTactile.Object.Solid (cube)
 import PraTactile.Object.WingedEdge
 import PraTactile.Store
 import Test.Effort

@@ -16,7 +16,7 @@ module PraTactile.Locate.Answer
     PlaceDoubts (..),
     ForeignDoubts (..),
     doubtOfForeign,
-    foreignBut,
+    scaledForeign,
     Posterior (..),
     impossible,
     PatchVerdict (..),
@@ -177,8 +177,8 @@ doubtOfForeign doubts =
   doubtOfRandom doubts + doubtOfOtherArrays doubts + doubtOfOtherShapes doubts
 
 -- | Multiplies all probabilities by 1 less that of an event which excludes them.
-foreignBut :: Double -> ForeignDoubts -> ForeignDoubts
-foreignBut else' doubts =
+scaledForeign :: Double -> ForeignDoubts -> ForeignDoubts
+scaledForeign else' doubts =
   doubts
     { doubtOfRandom = doubtOfRandom doubts * (1 - else'),
       doubtOfOtherArrays = doubtOfOtherArrays doubts * (1 - else'),

@@ -19,7 +19,7 @@ module PraTactile.Locate.Foreign
     evidence,
     foreignByChance,
     misleading,
-    weighed,
+    withForeign,
   )
 where
 
@@ -51,7 +51,7 @@ data ForeignComparison = ForeignComparison
     foreignOthers :: Maybe Double,
     -- | the log-likelihood ratio of other symbols than the array's to the array's; minus infinity
     -- if that is not weighed
-    foreignUnlike :: Double
+    foreignShape :: Double
   }
   deriving stock (Eq, Show)
 
@@ -77,7 +77,7 @@ foreignChances comparison
   where
     share = foreignShare comparison
     byChance = log (share * random) + contents
-    byShapes = log share + contents + foreignUnlike comparison
+    byShapes = log share + contents + foreignShape comparison
     contents = contentsByChance comparison
     alone = isNothing (foreignOthers comparison)
     random = if alone then 1 else foreignByChance
@@ -118,8 +118,8 @@ misleading :: Double
 misleading = 0.01
 
 -- | A posterior after every place is wrong with this additional probability.
-weighed :: Double -> Posterior place -> Posterior place
-weighed alien found =
+withForeign :: Double -> Posterior place -> Posterior place
+withForeign alien found =
   found
     { posteriorDoubt = orForeign (posteriorDoubt found),
       posteriorEqualDoubt = orForeign (posteriorEqualDoubt found),

@@ -1,7 +1,7 @@
 {-# OPTIONS_HADDOCK hide #-}
 
 -- | The arrays like ours with the same field, degree, folding and shape that other primitive
--- polynomials make. 'worthOfOthers' bounds their likelihood for the observed cells, from all of
+-- polynomials make. 'evidenceOfOthers' bounds their likelihood for the observed cells, from all of
 -- them or from a random sample; docs/explanation/locating.md has the formulas.
 --
 -- The other arrays are computed from our own polynomial. Every m-sequence of period N = q^n - 1 is,
@@ -11,7 +11,7 @@
 module PraTactile.Locate.OtherArrays
   ( OtherArrays,
     otherArrays,
-    worthOfOthers,
+    evidenceOfOthers,
 
     -- * Parts of it
     decimations,
@@ -137,8 +137,8 @@ drawingSeed = 1959
 -- equally frequent. The likeliest content determines the other cells; for any other content, these
 -- have at most their likeliest symbols. For a sample of arrays, the mean is replaced by its upper
 -- confidence limit.
-worthOfOthers :: KnownField k => OtherArrays k -> [Symmetry] -> Patch (Belief k) -> Maybe Double
-worthOfOthers others possible seen
+evidenceOfOthers :: KnownField k => OtherArrays k -> [Symmetry] -> Patch (Belief k) -> Maybe Double
+evidenceOfOthers others possible seen
   | null (comparedOthers others) = Nothing
   | otherwise = Just (logSum (map inSymmetry possible))
   where

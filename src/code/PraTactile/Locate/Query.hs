@@ -17,9 +17,9 @@ where
 import Numeric.Natural (Natural)
 import PraTactile.Field
 import PraTactile.Locate.Answer (Candidate)
-import PraTactile.Locate.Beforehand
 import PraTactile.Locate.Belief
 import PraTactile.Locate.Patch
+import PraTactile.Locate.Prior
 import PraTactile.Symmetry
 
 -- | What was observed in a cell.
@@ -81,11 +81,11 @@ data Query (k :: Field) = Query
     -- | The logarithm of a likelihood ratio: the probability of what was seen in all cells if the
     -- symbols are of other shapes than the array's, over that if they are the array's. Minus
     -- infinity excludes other shapes. It is used only with 'queryForeign'.
-    queryUnlike :: Double,
+    queryForeignShape :: Double,
     -- | For each candidate its prior and its silent cells: those that do not show the array if the
-    -- candidate is right ("PraTactile.Locate.Beforehand"). Decoding by symbols ignores it.
+    -- candidate is right ("PraTactile.Locate.Prior"). Decoding by symbols ignores it.
     -- 'Nothing' is a uniform prior without silent cells.
-    queryBeforehand :: Maybe (Candidate -> Beforehand)
+    queryPrior :: Maybe (Candidate -> CandidatePrior)
   }
 
 type role Query nominal

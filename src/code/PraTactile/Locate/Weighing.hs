@@ -19,7 +19,6 @@ import PraTactile.Array
 import PraTactile.Field
 import PraTactile.Grid (displaced)
 import PraTactile.Locate.Answer
-import PraTactile.Locate.Beforehand
 import PraTactile.Locate.Belief
 import PraTactile.Locate.Chance
 import PraTactile.Locate.Decoder
@@ -27,6 +26,7 @@ import PraTactile.Locate.Foreign
 import PraTactile.Locate.Logarithm
 import PraTactile.Locate.OtherArrays
 import PraTactile.Locate.Patch
+import PraTactile.Locate.Prior
 import PraTactile.Locate.Query
 import PraTactile.Symmetry
 
@@ -44,10 +44,10 @@ weighedPosterior ::
 weighedPosterior theLocator query decoder possible seen = do
   byCells <- beliefPosterior decoder possible seen
   let symbolIn = symbolAt (locatorArray theLocator) (patchShape seen)
-      beforehand = fromMaybe (const nothingBeforehand) (queryBeforehand query)
+      prior = fromMaybe (const uniformPrior) (queryPrior query)
       weight candidate =
-        beforehandWeight (symbolIn candidate) seen candidate (beforehand candidate)
-      found = maybe id (const (reweighed weight)) (queryBeforehand query) byCells
+        priorWeight (symbolIn candidate) seen candidate (prior candidate)
+      found = maybe id (const (reweighed weight)) (queryPrior query) byCells
       chanceAt candidate (offset, b) =
         let o = candidateSymmetry candidate
             given a = probabilitiesIn o b Primitive.! toCode a / symmetryChance o b
@@ -55,7 +55,7 @@ weighedPosterior theLocator query decoder possible seen = do
       asked = query {querySymmetries = possible}
       compared = do
         best <- posteriorBest found
-        let speaking = withoutCells (beforehandSilent (beforehand best)) seen
+        let speaking = withoutCells (candidateSilent (prior best)) seen
             o = candidateSymmetry best
         places <- spheresOf theLocator asked seen
         pure $
@@ -76,7 +76,7 @@ weighedPosterior theLocator query decoder possible seen = do
   pure
     ( doubts <$> alien,
       evidence <$> compared,
-      maybe found ((`weighed` found) . doubtOfForeign) alien
+      maybe found ((`withForeign` found) . doubtOfForeign) alien
     )
 
 -- | The probabilities that symbols with this outcome are foreign, if the query weighs that.
@@ -143,8 +143,8 @@ comparedWith theLocator query candidates seen expected =
       foreignSymmetry = expectedSymmetry expected,
       foreignOthers =
         subtract (expectedShown expected - expectedSymmetry expected)
-          <$> worthOfOthers (locatorOthers theLocator) (querySymmetries query) seen,
-      foreignUnlike = queryUnlike query
+          <$> evidenceOfOthers (locatorOthers theLocator) (querySymmetries query) seen,
+      foreignShape = queryForeignShape query
     }
 
 -- | The candidates of a patch as spheres of radius 0; 'Nothing' if no cell was observed.

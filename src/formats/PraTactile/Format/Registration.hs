@@ -128,6 +128,6 @@ stitchMethodName :: StitchMethod -> String
 stitchMethodName method = case method of
   Automatic -> "auto"
   ByLattice -> "lattice"
-  Jointly -> "joint"
+  ByPairs -> "joint"
   Incremental -> "incremental"
   Nominal -> "nominal"

@@ -14,8 +14,8 @@ where
 import Data.Bifunctor (first)
 import PraTactile.Array (Position (..), Shape (..))
 import PraTactile.Geometry (columnPitch, rowPitch, taxelPitch)
+import PraTactile.Object.PaperObjects (cube, parallelepiped)
 import PraTactile.Object.Placement
-import PraTactile.Object.Solid (cube, parallelepiped)
 import PraTactile.Object.WingedEdge
 
 -- | The pitch at which symbols are read: 25.4 mm (1 in) along a row and 31.75 mm (1 1/4 in) along a

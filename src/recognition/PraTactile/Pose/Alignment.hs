@@ -154,7 +154,7 @@ data Own = Own ![Double] !Double
 aligned :: Ground -> [Touch] -> Motion -> Maybe PlaneFit
 aligned ground touches begin
   | sum (map (U.length . touchPixels) touches) < leastPixels = Nothing
-  | otherwise = go (15 :: Int) (begin, rotationBeforehand, map start touches)
+  | otherwise = go (15 :: Int) (begin, rotationPrior, map start touches)
   where
     start touch =
       let (x, y) = touchMoved touch in Own [x, y, 0, 0, strongest] (strongest * strongest / 100)
@@ -195,13 +195,13 @@ leastPixels = 100
 
 -- | The initial standard deviation of a frame's rotation, in radians, where it is to be estimated
 -- (assumption).
-rotationBeforehand :: Double
-rotationBeforehand = toRadians 1
+rotationPrior :: Double
+rotationPrior = toRadians 1
 
 -- | The root mean square of the rotations that are to be estimated, given their variances.
 rotationAmong :: [Touch] -> [Own] -> [Double] -> Double
 rotationAmong touches owns variances
-  | null squares = rotationBeforehand
+  | null squares = rotationPrior
   | otherwise = sqrt (sum squares / fromIntegral (length squares))
   where
     squares =
@@ -213,14 +213,14 @@ rotationAmong touches owns variances
 -- | The normal equations of one frame, and sums for its new noise variance. The rows and the
 -- gradient have the motion's parameters first, then the frame's own. 'normalLeft' is the sum of
 -- a_i^2 d_i^2, 'normalLevers' that of a_i^2 b_i b_i^T divided by the old variance, 'normalSlopes'
--- that of a_i^2, and 'normalBefore' is the old variance.
+-- that of a_i^2, and 'normalPrior' is the old variance.
 data Normal = Normal
   { normalRows :: !Matrix,
     normalGradient :: ![Double],
     normalLeft :: !Double,
     normalLevers :: !Matrix,
     normalSlopes :: !Double,
-    normalBefore :: !Double
+    normalPrior :: !Double
   }
 
 -- | A pixel: its place relative to the pivot, its rotated place relative to the frame's centre, its
@@ -248,7 +248,7 @@ normalOf ground (cx, cy) motion r strongest common touch (Own own v) =
       normalLevers =
         scaled (1 / v) (gram (map (U.zipWith (\w a -> sqrt w * a) slopes') (drop 3 columns))),
       normalSlopes = U.sum slopes',
-      normalBefore = v
+      normalPrior = v
     }
   where
     (ex, ey, turn, offset, gain) = case own of
@@ -344,7 +344,7 @@ eliminated least normal = do
           -- If few pixels remain after the fit, they fit whatever their errors are.
           if free > normalSlopes normal / 10
             then max least (normalLeft normal / free)
-            else normalBefore normal
+            else normalPrior normal
       }
   where
     x = map (take 3) (take 3 (normalRows normal))
@@ -371,6 +371,6 @@ updated dx reduced (Own own _) =
 
 -- | The variance of a frame's rotation, given the covariance of the motion.
 rotationVariance :: Matrix -> Reduced -> Double
-rotationVariance covariance reduced = (own `plus` carried back covariance) !! 2 !! 2
+rotationVariance covariance reduced = (own `plus` propagated back covariance) !! 2 !! 2
   where
     (own, back, _) = reducedOwn reduced

@@ -8,7 +8,7 @@ module PraTactile.Pose.Matrix
     plus,
     scaled,
     diagonal,
-    carried,
+    propagated,
     inverse,
   )
 where
@@ -41,8 +41,8 @@ diagonal values =
   [[if i == j then v else 0 | j <- [1 .. length values]] | (i, v) <- zip [1 ..] values]
 
 -- | J C J^T: the covariance of J x, given the covariance C of x.
-carried :: Matrix -> Matrix -> Matrix
-carried j c = j `times` c `times` transpose j
+propagated :: Matrix -> Matrix -> Matrix
+propagated j c = j `times` c `times` transpose j
 
 -- | The inverse of a square matrix by Gauss-Jordan elimination, with the largest pivot in each
 -- column. 'Nothing' if a pivot is less than 1e-12 of the largest entry, if all entries are 0, or if

@@ -5,7 +5,7 @@
 module PraTactile.Recognise.FaceGrid
   ( FaceGrid (..),
     faceGrid,
-    gridTilt,
+    gridSkew,
     Cells,
     fromZero,
     firstOf,
@@ -73,8 +73,8 @@ faceGrid found = do
 -- The image's angle helps because few symbols determine a skew badly: of two neighbours, one that
 -- is a taxel off turns the grid by four degrees. The image is nearly always right, and occasionally
 -- off by some degrees.
-gridTilt :: Maybe Double -> FaceGrid -> Double
-gridTilt shown grid = case shown of
+gridSkew :: Maybe Double -> FaceGrid -> Double
+gridSkew shown grid = case shown of
   Nothing | length placed < 2 -> 0
   Nothing -> turn
   Just angle -> sum [p * estimate | (p, estimate) <- told] / sum (map fst told)
@@ -111,7 +111,7 @@ placeSd = 0.5
 
 -- | The errors of the angle that an image shows, a mixture: (share, standard deviation in degrees)
 -- (assumptions). Rows and columns of pixels bias the angle towards them by a degree or two
--- ("PraTactile.Composite.Tilt").
+-- ("PraTactile.Composite.Skew").
 shownErrors :: [(Double, Double)]
 shownErrors = [(0.99, 1.5), (0.01, 4)]
 

@@ -16,9 +16,9 @@ import PraTactile.Classification.Network (NetworkError)
 import PraTactile.Classification.Reader (Reader)
 import PraTactile.Composite.Blend (minus)
 import PraTactile.Geometry (columnPitch, rotated, rowPitch, toDegrees, toRadians)
+import PraTactile.Recognise.FaceReading
 import PraTactile.Recognise.Reading
 import PraTactile.Recognise.Recognition
-import PraTactile.Recognise.Sight
 import PraTactile.Registration (Composite)
 import PraTactile.Segmentation (Reject (..), SymbolImage (..))
 import PraTactile.Segmentation.Lattice (Cell, neighbour)
@@ -71,17 +71,17 @@ data Incomplete = Incomplete
 features :: Reader -> Composite -> Either NetworkError Features
 features reader composite = shown <$> bySegmentation reader [composite]
   where
-    shown seen = case sightUpright seen of
+    shown seen = case faceUpright seen of
       Just (angle, back : _, upright)
         | certainty (symbolsOf upright) > certainty (symbolsOf asGiven) ->
-          featuresOf (sightForeign seen) angle back upright
-      _ -> featuresOf (sightForeign seen) 0 id asGiven
+          featuresOf (faceForeign seen) angle back upright
+      _ -> featuresOf (faceForeign seen) 0 id asGiven
       where
-        asGiven = sightAsGiven seen
+        asGiven = faceAsGiven seen
 
 -- | The complete symbols of a reading.
 symbolsOf :: Reading -> [ReadSymbol]
-symbolsOf = either recognisedSymbols lookSymbols . readingLook
+symbolsOf = either recognisedSymbols gridReadingSymbols . readingOnGrid
 
 -- | The features of a reading. Arguments: regions that are not symbols; the angle by which the
 -- composite was set upright, in degrees clockwise; a map from places of the upright composite to
@@ -95,7 +95,7 @@ featuresOf foreignThings angle back reading =
     }
   where
     symbols = map readImage (symbolsOf reading)
-    parts = either recognisedParts lookParts (readingLook reading)
+    parts = either recognisedParts gridReadingParts (readingOnGrid reading)
     place = back . symbolCentre
     steps = [(s, cell, other) | s <- symbols, other <- symbols, Just cell <- [neighbour s other]]
     turn = offAxis steps

@@ -69,7 +69,7 @@ data SymbolPlace = SymbolPlace
 -- quarter turns, in degrees clockwise; the location of the grid; the position in the array of the
 -- grid's upper left cell. 'Nothing' if there is no window.
 findingAt :: KnownField k => Recogniser k -> Double -> GridLocation -> Position -> Maybe Finding
-findingAt reader tilt location position = do
+findingAt reader skew location position = do
   window <- listToMaybe (if null complete then incomplete else complete)
   pure
     Finding
@@ -101,7 +101,7 @@ findingAt reader tilt location position = do
       [ ((i, j), window)
         | i <- [i0 .. fst end],
           j <- [j0 .. snd end],
-          Just window <- [windowIn reader tilt location right place0 (i, j)]
+          Just window <- [windowIn reader skew location right place0 (i, j)]
       ]
     end = (maximum (0 : map fst (Map.keys cells)), maximum (0 : map snd (Map.keys cells)))
     complete = filter (all (all isJust) . windowClasses) (map snd (windowsFrom (0, 0)))
@@ -173,7 +173,7 @@ windowIn ::
   (Cell -> Maybe Position) ->
   Cell ->
   Maybe ReadWindow
-windowIn reader tilt location right place0 (i, j) = do
+windowIn reader skew location right place0 (i, j) = do
   position <- place0 (i, j)
   pure
     ReadWindow
@@ -198,5 +198,5 @@ windowIn reader tilt location right place0 (i, j) = do
       let (x, y) = readAt s
           across = columnPitch * (fromIntegral (j' - j) - (fromIntegral (columns window) - 1) / 2)
           down = rowPitch * (fromIntegral (i' - i) - (fromIntegral (rows window) - 1) / 2)
-          (dx, dy) = rotated tilt (onOffset (locationOrientation location) (across, down))
+          (dx, dy) = rotated skew (onOffset (locationOrientation location) (across, down))
        in (x - dx, y - dy)

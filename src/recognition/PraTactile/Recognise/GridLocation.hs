@@ -78,7 +78,7 @@ layOnFace reader dissenters grid way likeliest' =
     }
   where
     orientation = axisOf (gridCells grid) <> maybe way candidateSymmetry likeliest'
-    silent = maybe [] (beforehandSilent . beforehandOf reader (gridCells grid)) likeliest'
+    silent = maybe [] (candidateSilent . priorOf reader (gridCells grid)) likeliest'
     heard cell here = if offsetOf cell `elem` silent then [] else here
 
 -- | The likeliest way up of the cells alone, for grids without a possible position.

@@ -44,7 +44,7 @@ data CellsRead = CellsRead
   { -- | Their axis, up to 180 degrees: 'identity' or @turned 1@.
     cellsAxis :: !Symmetry,
     -- | Their angle beyond that axis, in degrees clockwise.
-    cellsTilt :: !Double,
+    cellsSkew :: !Double,
     -- | The centre of cell (0, 0) on the first composite's grid of pixels.
     cellsFirst :: !Taxels,
     -- | The symbols by row and column, counted along their axis.
@@ -55,18 +55,18 @@ data CellsRead = CellsRead
 -- 'identity' and 0 without a lattice.
 axisOfAll :: [Lattice] -> (Symmetry, Double)
 axisOfAll lattices = case map (axisAlong 0) lattices of
-  (axis, tilt, _) : _ -> (axis, tilt)
+  (axis, skew, _) : _ -> (axis, skew)
   [] -> (identity, 0)
 
 -- | The symbols that the frames imply in the cells of each composite's lattice. The composites are
 -- of one face; places are on the first composite's grid.
 latticesRead :: [(Composite, Lattice)] -> [CellsRead]
 latticesRead given =
-  [ cellsOf tilt source (compositeFrom composite, base) lattice
+  [ cellsOf skew source (compositeFrom composite, base) lattice
     | (source, (composite, lattice)) <- zip [0 ..] given
   ]
   where
-    (_, tilt) = axisOfAll (map snd given)
+    (_, skew) = axisOfAll (map snd given)
     base = case given of
       (composite, _) : _ -> compositeFrom composite
       [] -> (0, 0)
@@ -74,11 +74,11 @@ latticesRead given =
 -- | The axis of a lattice relative to an angle in degrees: the symbols' axis, the lattice's angle
 -- beyond it, and whether the lattice's axes point opposite to the symbols'.
 axisAlong :: Double -> Lattice -> (Symmetry, Double, Bool)
-axisAlong tilt lattice =
+axisAlong skew lattice =
   (if odd quarters then turned 1 else identity, beyond, odd (quarters `div` 2))
   where
     quarters :: Int
-    quarters = floor ((latticeAngle lattice - tilt + 45) / 90)
+    quarters = floor ((latticeAngle lattice - skew + 45) / 90)
     beyond = latticeAngle lattice - 90 * fromIntegral quarters
 
 -- | The symbols of a lattice by its frames, without their images: the cells in which one symbol is
@@ -86,17 +86,17 @@ axisAlong tilt lattice =
 -- composite's number; pixel (0, 0) of the composite and of the first composite, in taxels from the
 -- robot's origin; the lattice. Symbols count as complete, and as known if their doubt is below 0.1.
 cellsOf :: Double -> Int -> (Taxels, Taxels) -> Lattice -> CellsRead
-cellsOf tilt source (own, base) lattice =
+cellsOf skew source (own, base) lattice =
   CellsRead
     { cellsAxis = axis,
-      cellsTilt = beyond,
+      cellsSkew = beyond,
       cellsFirst = centreOf (0, 0) `minus` base,
       cellsSymbols =
         Map.filter ((< 0.5) . readDoubt) . Map.fromList $
           [(along cell, symbol (centreOf cell) logs) | (cell, logs) <- Map.toList cells]
     }
   where
-    (axis, beyond, against) = axisAlong tilt lattice
+    (axis, beyond, against) = axisAlong skew lattice
     way = if latticeHalfTurned lattice /= against then turned 2 else identity
     cells = latticeCells lattice
     along (i, j) = if against then (negate i, negate j) else (i, j)
@@ -127,7 +127,7 @@ cellsOf tilt source (own, base) lattice =
                 readSeen = 1,
                 readLikeliest = (axis, 0),
                 readChances = [],
-                readUnlike = 0
+                readForeignShape = 0
               }
 
 -- | A symbol with the orientations and classes of an estimate along an axis.
@@ -139,14 +139,14 @@ estimatedAs axis estimated s =
     }
 
 -- | Adds to the cells what the composite's images show. Arguments: the reader; the composite, and
--- its cleaned images; its lattice; its cells as the frames imply them.
+-- its masked images; its lattice; its cells as the frames imply them.
 --
 -- A complete symbol gets the network's class; any other symbol becomes a part. If a foreign thing
 -- covers some of a symbol, the symbol is estimated from the rest. Symbols with a doubt of one half
 -- or more are dropped. Refuses what the network refuses.
 readCells ::
-  Reader -> (Composite, Cleaned) -> Lattice -> CellsRead -> Either NetworkError CellsRead
-readCells reader (composite, Cleaned clean forParts foreignThings) lattice found = do
+  Reader -> (Composite, ForeignMasked) -> Lattice -> CellsRead -> Either NetworkError CellsRead
+readCells reader (composite, ForeignMasked clean byHeight foreignThings) lattice found = do
   symbols <- Map.traverseMaybeWithKey (const inImage) (cellsSymbols found)
   pure found {cellsSymbols = Map.filter ((< 0.5) . readDoubt) symbols}
   where
@@ -155,9 +155,9 @@ readCells reader (composite, Cleaned clean forParts foreignThings) lattice found
       partAt
         image
         (latticeFlat lattice, latticeContrast lattice)
-        (degreesClockwise axis + cellsTilt found)
+        (degreesClockwise axis + cellsSkew found)
     cutWhole = cutFrom clean
-    cutPart = maybe cutWhole cutFrom forParts
+    cutPart = maybe cutWhole cutFrom byHeight
     cutAll = cutFrom composite
     taxelsOf = V.sum . rasterValues . partSeen
     isWhole part = taxelsOf part >= leastTouched
@@ -172,7 +172,7 @@ readCells reader (composite, Cleaned clean forParts foreignThings) lattice found
             s
               { readImage = imageOf whole,
                 readClass = readClass seen,
-                readUnlike = readUnlike seen
+                readForeignShape = readForeignShape seen
               }
         asPart part =
           told

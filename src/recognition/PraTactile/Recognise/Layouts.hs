@@ -2,9 +2,9 @@
 
 -- | The alternative layouts of the frames of composites, and the doubt that they add to an answer.
 --
--- A layout w has a prior P(w), a likelihood by the frames ('compositeOthers'), and a lattice of
--- cells. The array adds an evidence A(w): the likelihood ratio of these cells being the array's to
--- their being random. The layout in use is w = 0; the answer comes from its lattice.
+-- A layout w has a prior P(w), a likelihood by the frames ('compositeAlternatives'), and a lattice
+-- of cells. The array adds an evidence A(w): the likelihood ratio of these cells being the array's
+-- to their being random. The layout in use is w = 0; the answer comes from its lattice.
 --
 -- > odds(w) = P(w) / P(0) * likelihood(w) / likelihood(0) * A(w) / A(0)
 -- > doubt = sum of odds(w) over w that show another place / sum of odds(w) over all w
@@ -22,7 +22,7 @@ import Data.List (find, inits, tails)
 import qualified Data.Map.Strict as Map
 import Data.Maybe (fromMaybe, listToMaybe)
 import PraTactile.Array (Position)
-import PraTactile.Composite (asTaken, compositeFrom, likeliestFault)
+import PraTactile.Composite (asTaken, compositeFrom, likeliestCause)
 import PraTactile.Composite.Blend (Taxels, minus)
 import PraTactile.Composite.Lattice
 import PraTactile.Field (KnownField)
@@ -36,10 +36,10 @@ import PraTactile.Recognise.Recognition
 import PraTactile.Recognise.SymbolBelief (axisOf)
 import PraTactile.Recognise.Tolerance
 import PraTactile.Registration
-  ( Composite (..),
+  ( AlternativeLayout (..),
+    Composite (..),
     Contradiction,
-    Fault (..),
-    Otherwise (..),
+    LayoutCause (..),
     PutFrame (..),
   )
 import PraTactile.Segmentation.Lattice (Cell)
@@ -47,12 +47,12 @@ import PraTactile.Sensor.Manifest (standardTaking)
 import PraTactile.Symmetry
 
 -- | An alternative layout of the composites of one face.
-data Alternative = Alternative
-  { alternativeFault :: !Fault,
+data WeighedLayout = WeighedLayout
+  { weighedCause :: !LayoutCause,
     -- | its odds relative to the layout in use, before the array's evidence
-    alternativeOdds :: !Double,
+    weighedOdds :: !Double,
     -- | the cells that the frames then show; 'Nothing' if they have no lattice
-    alternativeShown :: Maybe Laid
+    weighedShown :: Maybe Laid
   }
 
 -- | The cells that a layout shows.
@@ -64,8 +64,8 @@ data Laid = Laid
 
 -- | The prior odds of all faults of one kind together. The second argument says whether the axes
 -- were stated. A single misplaced frame has odds 1, because its likelihood includes the prior.
-faultPrior :: Tolerance -> Bool -> Fault -> Double
-faultPrior tolerance stated fault = case fault of
+causePrior :: Tolerance -> Bool -> LayoutCause -> Double
+causePrior tolerance stated cause = case cause of
   OneFrame -> 1
   OtherAxes _ -> fromMaybe (if stated then 0.0025 else 0.01) (axesPrior tolerance)
   OtherScale _ _ -> 0.004
@@ -74,17 +74,17 @@ faultPrior tolerance stated fault = case fault of
 
 -- | The alternatives that the frames suggest: of one composite alone, or of all composites by one
 -- fault. Each has its fault, its odds, and the lattices of all composites if all have one.
-alternatives :: Tolerance -> [Composite] -> [(Fault, Double, Maybe [Lattice])]
+alternatives :: Tolerance -> [Composite] -> [(LayoutCause, Double, Maybe [Lattice])]
 alternatives tolerance composites =
-  [ (otherwiseFault other, oddsOf other, sequence (before ++ otherwiseLattice other : after))
+  [ (alternativeCause other, oddsOf other, sequence (before ++ alternativeLattice other : after))
     | (before, (composite, _), after) <- each,
-      other <- compositeOthers composite,
+      other <- compositeAlternatives composite,
       ofOne other
   ]
-    ++ [ (fault, oddsOf other * product likelier / otherwiseLikelier other, sequence lattices)
+    ++ [ (cause, oddsOf other * product likelier / alternativeRatio other, sequence lattices)
          | other <- ofAll,
-           let fault = otherwiseFault other,
-           Just (likelier, lattices) <- [unzip <$> traverse (under fault) composites]
+           let cause = alternativeCause other,
+           Just (likelier, lattices) <- [unzip <$> traverse (under cause) composites]
        ]
   where
     each =
@@ -92,29 +92,29 @@ alternatives tolerance composites =
         | (before, one : after) <- splits [(c, compositeLattice c) | c <- composites]
       ]
     oddsOf other =
-      faultPrior tolerance stated (otherwiseFault other)
-        * otherwiseShare other
-        * otherwiseLikelier other
+      causePrior tolerance stated (alternativeCause other)
+        * alternativeShare other
+        * alternativeRatio other
     stated = any compositeAxesStated composites
-    ofOne other = otherwiseFault other `elem` [OneFrame, Slip, Anywhere]
+    ofOne other = alternativeCause other `elem` [OneFrame, Slip, Anywhere]
     -- Taken from the first composite that has several frames: one image alone shows no fault.
     ofAll =
       concat . take 1 . filter (not . null) $
-        map (filter (not . ofOne) . compositeOthers) composites
-    under fault composite
+        map (filter (not . ofOne) . compositeAlternatives) composites
+    under cause composite
       | length (compositeFrames composite) < 2 = Just (1, Nothing)
       | otherwise =
-        (\other -> (otherwiseLikelier other, otherwiseLattice other))
-          <$> find ((== fault) . otherwiseFault) (compositeOthers composite)
+        (\other -> (alternativeRatio other, alternativeLattice other))
+          <$> find ((== cause) . alternativeCause) (compositeAlternatives composite)
 
 -- | The cells of the layout in use and the alternatives. Where all composites have lattices, an
 -- alternative has other lattices, and its fixed points are the frames. Otherwise the fixed points
 -- are the symbols, which move with the composite that they were cut out of.
-laidOut :: Tolerance -> [Composite] -> Recognition -> (Laid, [Alternative])
+laidOut :: Tolerance -> [Composite] -> Recognition -> (Laid, [WeighedLayout])
 laidOut tolerance composites shown = case traverse compositeLattice composites of
   Just lattices@(_ : _) ->
     ( (laidBy lattices) {laidPoints = framesFrom (recognisedAnchor shown) lattices},
-      [Alternative fault odds (laidBy <$> others) | (fault, odds, others) <- ofFrames]
+      [WeighedLayout cause odds (laidBy <$> others) | (cause, odds, others) <- ofFrames]
         ++ [ slip (before ++ movedLattice (latticeStep lattice step) lattice : after)
              | (before@(_ : _), lattice : after) <- splits lattices,
                step <- cellSteps
@@ -122,8 +122,8 @@ laidOut tolerance composites shown = case traverse compositeLattice composites o
     )
   _ ->
     ( onSymbols (recognisedCells shown),
-      [Alternative fault odds Nothing | (fault, odds, _) <- ofFrames]
-        ++ [ Alternative Slip slipOdds (Just (onSymbols (sourceMoved source step cells)))
+      [WeighedLayout cause odds Nothing | (cause, odds, _) <- ofFrames]
+        ++ [ WeighedLayout Slip slipOdds (Just (onSymbols (sourceMoved source step cells)))
              | (source, _) <- drop 1 (zip [0 ..] composites),
                step <- cellSteps
            ]
@@ -132,7 +132,7 @@ laidOut tolerance composites shown = case traverse compositeLattice composites o
     cells = recognisedCells shown
     ofFrames = alternatives tolerance composites
     slipOdds = slipPrior tolerance / 4
-    slip = Alternative Slip slipOdds . Just . laidBy
+    slip = WeighedLayout Slip slipOdds . Just . laidBy
     laidBy lattices =
       let grid = latticesGrid composites shown lattices
        in Laid (gridCells grid) (framesFrom (gridAnchor grid) lattices)
@@ -145,7 +145,7 @@ laidOut tolerance composites shown = case traverse compositeLattice composites o
 
 -- | The angle of the rows of the recognised cells, in degrees clockwise.
 gridAngle :: Recognition -> Double
-gridAngle shown = degreesClockwise (axisOf (recognisedCells shown)) + recognisedTilt shown
+gridAngle shown = degreesClockwise (axisOf (recognisedCells shown)) + recognisedSkew shown
 
 -- | The grid of the lattices' cells along the axis of the recognised ones.
 latticesGrid :: [Composite] -> Recognition -> [Lattice] -> FaceGrid
@@ -181,28 +181,28 @@ splits xs = zip (inits xs) (tails xs)
 
 -- | The doubt that alternative layouts add to an answer, by kind of fault.
 layoutDoubts ::
-  KnownField k => Recogniser k -> Tolerance -> [Composite] -> Recognition -> Misplaced
+  KnownField k => Recogniser k -> Tolerance -> [Composite] -> Recognition -> LayoutDoubts
 layoutDoubts reader tolerance composites shown =
-  Misplaced
-    { oneMisplaced = share (== OneFrame),
-      axesMisplaced = share (`notElem` [OneFrame, Slip]),
-      slipped = share (== Slip),
-      likelierLayout = named composites [(fault, odds) | (fault, odds, _) <- weighed]
+  LayoutDoubts
+    { layoutDoubtOfFrame = share (== OneFrame),
+      layoutDoubtOfAxes = share (`notElem` [OneFrame, Slip]),
+      layoutDoubtOfSlip = share (== Slip),
+      likelierLayout = named composites [(cause, odds) | (cause, odds, _) <- weighed]
     }
   where
     (used, others) = laidOut tolerance composites shown
     locatedIn = likeliestElsewhere reader tolerance . laidCells
     given = locatedIn used
-    weighed = [(alternativeFault a, odds, differ) | a <- others, let (odds, differ) = weigh a]
-    share kind = sum [odds | (fault, odds, True) <- weighed, kind fault] / total
+    weighed = [(weighedCause a, odds, differ) | a <- others, let (odds, differ) = weigh a]
+    share kind = sum [odds | (cause, odds, True) <- weighed, kind cause] / total
     -- The layout in use has odds of 1.
     total = 1 + sum [odds | (_, odds, _) <- weighed]
-    weigh alternative = case alternativeShown alternative of
-      Nothing -> (alternativeOdds alternative, True)
+    weigh alternative = case weighedShown alternative of
+      Nothing -> (weighedOdds alternative, True)
       Just laid
-        | likeliestIn laid == likeliestIn used -> (alternativeOdds alternative, False)
+        | likeliestIn laid == likeliestIn used -> (weighedOdds alternative, False)
         | otherwise ->
-          ( alternativeOdds alternative * exp (max (-30) (min 30 likelier)),
+          ( weighedOdds alternative * exp (max (-30) (min 30 likelier)),
             different laid there
           )
         where
@@ -232,11 +232,11 @@ layoutDoubts reader tolerance composites shown =
 -- if there is none.
 likelierByFrames :: Tolerance -> [Composite] -> Maybe Contradiction
 likelierByFrames tolerance composites =
-  named composites [(fault, odds) | (fault, odds, _) <- alternatives tolerance composites]
+  named composites [(cause, odds) | (cause, odds, _) <- alternatives tolerance composites]
 
 -- | The likeliest of some faults by their odds, if it is more probable than the robot's layout.
-named :: [Composite] -> [(Fault, Double)] -> Maybe Contradiction
-named composites weighed = asTaken taking Nothing <$> likeliestFault 1 places weighed
+named :: [Composite] -> [(LayoutCause, Double)] -> Maybe Contradiction
+named composites weighed = asTaken taking Nothing <$> likeliestCause 1 places weighed
   where
     places = map putAt (concatMap compositeFrames composites)
     taking = maybe standardTaking compositeTaking (listToMaybe composites)

@@ -63,8 +63,9 @@ query reader tolerance cells shown =
     { querySymmetries = waysUp,
       queryDoubt = toleratedDoubt tolerance,
       queryForeign = Just (foreignPrior tolerance),
-      queryUnlike = sum [max (-6) (min 4 (readUnlike s)) | here <- Map.elems cells, s <- here],
-      queryBeforehand = Just (beforehandOf reader cells)
+      queryForeignShape =
+        sum [max (-6) (min 4 (readForeignShape s)) | here <- Map.elems cells, s <- here],
+      queryPrior = Just (priorOf reader cells)
     }
 
 -- | The likeliest place of cells, whether or not it is likely enough for an answer.
@@ -90,7 +91,7 @@ likeliestFrom reader cells answer = do
   pure
     Likeliest
       { likeliestEvidence = evidence,
-        likeliestPrior = beforehandPrior (beforehandOf reader cells candidate),
+        likeliestPrior = candidateLogPrior (priorOf reader cells candidate),
         likeliestOrientation = axisOf cells <> candidateSymmetry candidate,
         likeliestFirst = candidatePosition candidate,
         likeliestEnd = (end fst, end snd)

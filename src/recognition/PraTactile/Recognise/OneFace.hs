@@ -7,7 +7,7 @@
 -- else carries the array: a plate, or a face that the placement does not have. Then the array goes
 -- on in every direction. docs/explanation/locating.md has the formulas.
 module PraTactile.Recognise.OneFace
-  ( beforehandOf,
+  ( priorOf,
   )
 where
 
@@ -26,15 +26,15 @@ import PraTactile.Symmetry
 
 -- | The prior of a candidate, and the cells that are silent if it is right. The cells of the grid
 -- are given by rows and columns from 0, and so are the silent ones.
-beforehandOf :: Recogniser k -> Cells -> Candidate -> Beforehand
-beforehandOf reader cells = case known of
+priorOf :: Recogniser k -> Cells -> Candidate -> CandidatePrior
+priorOf reader cells = case known of
   anchor : others
     | not (null (laidFaces (recogniserPlacement reader))) -> \candidate ->
       let upright = onPosition (invert (candidateSymmetry candidate)) shape
        in case faceFrom (candidatePosition candidate) upright anchor of
-            Just has | all has others -> Beforehand 0 (filter (not . has) unsure)
-            _ -> Beforehand (log otherwiseCarried) []
-  _ -> const nothingBeforehand
+            Just has | all has others -> CandidatePrior 0 (filter (not . has) unsure)
+            _ -> CandidatePrior (log priorOddsElsewhere) []
+  _ -> const uniformPrior
   where
     (known, unsure) = both (map (offsetOf . fst)) (partition (isKnown . snd) (Map.toList cells))
     isKnown = any (isJust . readClass)
@@ -60,5 +60,5 @@ beforehandOf reader cells = case known of
 
 -- | The prior odds that something else than a face of the placement carries the array: one in 200
 -- things touched (assumption).
-otherwiseCarried :: Double
-otherwiseCarried = 0.005
+priorOddsElsewhere :: Double
+priorOddsElsewhere = 0.005

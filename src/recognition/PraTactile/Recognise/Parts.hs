@@ -57,7 +57,7 @@ partsOf reader cells view =
       readDoubt part < 0.5
   ]
   where
-    sigma = compositeUncompared (viewComposite view)
+    sigma = compositeUnregisteredError (viewComposite view)
     look = partAt (viewComposite view) (segmentedBackground found, segmentedContrast found) 0
     found = viewSegmentation view
     own = [(cell, s) | (cell, here) <- Map.toList cells, s <- here, readSource s == viewSource view]
@@ -99,5 +99,5 @@ readPart view (x, y) seen estimated =
       readLikeliest = alongAxis (viewAxis view) (estimateLikeliest estimated),
       readChances = map (first (alongAxis (viewAxis view))) (estimateChances estimated),
       -- Parts are not compared with other shapes.
-      readUnlike = estimateUnlike estimated
+      readForeignShape = estimateForeignShape estimated
     }

@@ -7,7 +7,7 @@ module PraTactile.Recognise.Reading
     ReadSymbol (..),
     View (..),
     readDoubt,
-    readNone,
+    readForeignProbability,
     readSymbols,
     readSymbol,
     mostKnown,
@@ -73,7 +73,7 @@ data ReadSymbol = ReadSymbol
     readChances :: [((Symmetry, Int), Double)],
     -- | the logarithm of a likelihood ratio: of its image if it has another shape, to its image if
     -- it has one of the alphabet's shapes
-    readUnlike :: Double
+    readForeignShape :: Double
   }
   deriving stock (Eq, Show)
 
@@ -83,10 +83,10 @@ readDoubt :: ReadSymbol -> Double
 readDoubt s = sum [chance | (what, chance) <- readChances s, what /= readLikeliest s]
 
 -- | The probability that a symbol is of a shape outside the alphabet. The prior is one in 200.
-readNone :: ReadSymbol -> Double
-readNone s = odds / (1 + odds)
+readForeignProbability :: ReadSymbol -> Double
+readForeignProbability s = odds / (1 + odds)
   where
-    odds = 0.005 / 0.995 * exp (readUnlike s)
+    odds = 0.005 / 0.995 * exp (readForeignShape s)
 
 -- | A composite with its symbols along one axis.
 data View = View
@@ -110,15 +110,15 @@ data View = View
 -- ('identity'), or on their side (@turned 1@). Symbols along the other axis are rejected by their
 -- size. The composites' origins place them relative to each other. Arguments: the reader; the axis;
 -- the number of the first symbol; the composites. Refuses what the network refuses.
-readSymbols :: Reader -> Symmetry -> Int -> [Cleaned] -> Either NetworkError [View]
+readSymbols :: Reader -> Symmetry -> Int -> [ForeignMasked] -> Either NetworkError [View]
 readSymbols reader axis from composites = numbered from <$> traverse view (zip [0 ..] composites)
   where
-    view (i, Cleaned c forParts _) = do
+    view (i, ForeignMasked c byHeight _) = do
       let (upright, found, back) = segmentAlong axis c
       symbols <- traverse (readSymbol reader axis i (shift c)) (segmentedSymbols back)
-      let partly = maybe upright (onComposite (invert axis)) forParts
+      let partly = maybe upright (onComposite (invert axis)) byHeight
       pure (View i axis partly found (segmentedRejects back) (shift c) symbols)
-    shift c = case map cleanedComposite composites of
+    shift c = case map maskedComposite composites of
       origin : _ -> (apart fst origin c, apart snd origin c)
       [] -> (0, 0)
     apart part origin c = (part (compositeOrigin c) - part (compositeOrigin origin)) / taxelPitch
@@ -167,7 +167,7 @@ readSymbol reader axis source (dx, dy) image = do
         readSeen = 1,
         readLikeliest = alongAxis axis (estimateLikeliest likeliest),
         readChances = map (first (alongAxis axis)) (estimateChances likeliest),
-        readUnlike = estimateUnlike likeliest
+        readForeignShape = estimateForeignShape likeliest
       }
   where
     known values = case decide standardThresholds values of
@@ -191,15 +191,15 @@ mostRecognised symbols = known >= 3 && 2 * known > length symbols
 
 -- | Whether the composites are mirrored: the network knows most symbols along one axis, and at
 -- least three, in their mirror images. Refuses what the network refuses.
-readMirrored :: Reader -> [Cleaned] -> Either NetworkError Bool
+readMirrored :: Reader -> [ForeignMasked] -> Either NetworkError Bool
 readMirrored reader composites =
   any mostKnown
     <$> traverse
       (\axis -> readSymbols reader axis 0 (map mirrored' composites))
       [identity, turned 1]
   where
-    mirrored' (Cleaned c forParts foreignThings) =
-      Cleaned (onComposite mirror c) (onComposite mirror <$> forParts) foreignThings
+    mirrored' (ForeignMasked c byHeight foreignThings) =
+      ForeignMasked (onComposite mirror c) (onComposite mirror <$> byHeight) foreignThings
 
 -- | Symbols that are connected as neighbours.
 data Group = Group

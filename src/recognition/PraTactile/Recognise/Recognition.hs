@@ -8,11 +8,11 @@ module PraTactile.Recognise.Recognition
     preferred,
     recognisedAngle,
     relocated,
-    axesTilted,
+    axesSkewed,
 
     -- * The answer
     Identification (..),
-    Misplaced (..),
+    LayoutDoubts (..),
     doubting,
 
     -- * Refusals
@@ -25,10 +25,10 @@ where
 import Data.Either (isRight)
 import qualified Data.Map.Strict as Map
 import PraTactile.Array (Position)
-import PraTactile.Locate (LocatorError (..), Reason (..), foreignBut, reasonName, reasons)
+import PraTactile.Locate (LocatorError (..), Reason (..), reasonName, reasons, scaledForeign)
+import PraTactile.Recognise.Diagnosis (Diagnosis)
 import PraTactile.Recognise.FaceGrid (Cells)
 import PraTactile.Recognise.Finding
-import PraTactile.Recognise.Instead (Instead)
 import PraTactile.Recognise.Likeliest
 import PraTactile.Recognise.Reading
 import PraTactile.Recognise.Support
@@ -55,7 +55,7 @@ data Recognition = Recognition
     recognisedLikeliest :: Maybe Likeliest,
     -- | the angle from the composites' axes to the symbols', in degrees clockwise, beyond quarter
     -- turns. The orientations of symbols and answer come on top of it.
-    recognisedTilt :: Double,
+    recognisedSkew :: Double,
     recognisedAnswer :: Either Refusal Identification
   }
   deriving stock (Eq, Show)
@@ -75,7 +75,7 @@ data Refusal
   | -- | there are symbols, but the network recognised none
     SymbolsUnclear
   | -- | no symbols or unclear ones, with what the composites show instead and the original refusal
-    ShownInstead Instead Refusal
+    ShownInstead Diagnosis Refusal
   | -- | the network recognises most symbols in the composite's mirror image and none in the
     -- composite; with ways to undo that
     Mirrored [Remedy]
@@ -132,12 +132,12 @@ certainty = sum . map (negate . log . max 1e-300 . readDoubt)
 
 -- | Chooses between the recognition of composites as given and as set upright, whose symbols are
 -- turned by the angle in degrees. An answer goes before a refusal, but the answer of composites as
--- given counts only up to 'mostTilt'. Otherwise the recognition with the greater 'certainty' is
+-- given counts only up to 'mostSkew'. Otherwise the recognition with the greater 'certainty' is
 -- taken.
 preferred :: Double -> Recognition -> Recognition -> Recognition
 preferred angle asGiven setRight
   | isAnswered setRight && not (isAnswered asGiven) = setRight
-  | isAnswered asGiven && not (isAnswered setRight) && abs angle <= mostTilt = asGiven
+  | isAnswered asGiven && not (isAnswered setRight) && abs angle <= mostSkew = asGiven
   | certaintyOf setRight > certaintyOf asGiven = setRight
   | otherwise = asGiven
   where
@@ -146,8 +146,8 @@ preferred angle asGiven setRight
 
 -- | Up to this angle, in degrees, symbols are read without errors in composites as given, if less
 -- often.
-mostTilt :: Double
-mostTilt = 7
+mostSkew :: Double
+mostSkew = 7
 
 -- | Transfers a recognition of composites that were set upright, by the angle, to the composites as
 -- given. The list has, for each composite, the map from places of the upright one to the given one.
@@ -157,7 +157,7 @@ relocated angle places recognition =
     { recognisedSymbols = map symbol (recognisedSymbols recognition),
       recognisedParts = map symbol (recognisedParts recognition),
       recognisedCells = Map.map (map symbol) (recognisedCells recognition),
-      recognisedTilt = angle + recognisedTilt recognition,
+      recognisedSkew = angle + recognisedSkew recognition,
       recognisedAnswer = answer <$> recognisedAnswer recognition
     }
   where
@@ -186,15 +186,15 @@ relocated angle places recognition =
 
 -- | Adds the grid's angle to the axes of the symbols, which were cut out along the composites'
 -- axes.
-axesTilted :: Recognition -> Recognition
-axesTilted recognition =
+axesSkewed :: Recognition -> Recognition
+axesSkewed recognition =
   recognition
-    { recognisedSymbols = map tilted (recognisedSymbols recognition),
-      recognisedParts = map tilted (recognisedParts recognition)
+    { recognisedSymbols = map skewed (recognisedSymbols recognition),
+      recognisedParts = map skewed (recognisedParts recognition)
     }
   where
-    tilted s = s {readImage = (readImage s) {symbolAxis = symbolAxis (readImage s) + by}}
-    by = recognisedTilt recognition
+    skewed s = s {readImage = (readImage s) {symbolAxis = symbolAxis (readImage s) + by}}
+    by = recognisedSkew recognition
 
 -- | The angle by which the face is turned in the composites, in degrees clockwise in [0, 360),
 -- given the orientation that was found.
@@ -204,16 +204,16 @@ recognisedAngle recognition orientation
   | angle >= 360 = angle - 360
   | otherwise = angle
   where
-    angle = degreesClockwise orientation + recognisedTilt recognition
+    angle = degreesClockwise orientation + recognisedSkew recognition
 
 -- | The probabilities that frames lie elsewhere and then show another place.
-data Misplaced = Misplaced
+data LayoutDoubts = LayoutDoubts
   { -- | one frame is misplaced
-    oneMisplaced :: !Double,
+    layoutDoubtOfFrame :: !Double,
     -- | all frames lie along other axes or at another scale
-    axesMisplaced :: !Double,
+    layoutDoubtOfAxes :: !Double,
     -- | some frames slipped
-    slipped :: !Double,
+    layoutDoubtOfSlip :: !Double,
     -- | the likeliest other layout of all frames, if it is more probable than the robot's
     likelierLayout :: Maybe Contradiction
   }
@@ -221,9 +221,9 @@ data Misplaced = Misplaced
 
 -- | Adds the doubts of misplaced frames to a recognition. The answer is refused if its doubt then
 -- exceeds the tolerance.
-doubting :: Tolerance -> Misplaced -> Recognition -> Recognition
-doubting _ (Misplaced 0 0 0 _) recognition = recognition
-doubting tolerance (Misplaced stitched axes slip layout) recognition =
+doubting :: Tolerance -> LayoutDoubts -> Recognition -> Recognition
+doubting _ (LayoutDoubts 0 0 0 _) recognition = recognition
+doubting tolerance (LayoutDoubts stitched axes slip layout) recognition =
   recognition
     { recognisedSupport = weighed <$> recognisedSupport recognition,
       recognisedAnswer =
@@ -242,6 +242,6 @@ doubting tolerance (Misplaced stitched axes slip layout) recognition =
                 doubtOfStitching = stitched,
                 doubtOfAxes = axes,
                 doubtOfSlip = slip,
-                doubtsOfOrigin = foreignBut (1 - put) (doubtsOfOrigin (supportDoubts support))
+                doubtsOfOrigin = scaledForeign (1 - put) (doubtsOfOrigin (supportDoubts support))
               }
         }

@@ -8,7 +8,7 @@ module PraTactile.Recognise.Summary
     upperLeftVertex,
     orientationText,
     lieText,
-    shownTilt,
+    shownSkew,
     positionsText,
     doubtText,
   )
@@ -83,13 +83,13 @@ orientationText symmetry = case (mirrored symmetry, degreesClockwise symmetry ::
 -- is nearly a quarter turn.
 lieText :: Recognition -> Symmetry -> String
 lieText recognition orientation
-  | shownTilt recognition == 0 = orientationText orientation
+  | shownSkew recognition == 0 = orientationText orientation
   | otherwise = printf "turned by %.1f degrees" (recognisedAngle recognition orientation)
 
--- | The angle of the recognised symbols if it is more than 'leastTilt', else 0.
-shownTilt :: Recognition -> Double
-shownTilt recognition
-  | abs (recognisedTilt recognition) > leastTilt = recognisedTilt recognition
+-- | The angle of the recognised symbols if it is more than 'leastSkew', else 0.
+shownSkew :: Recognition -> Double
+shownSkew recognition
+  | abs (recognisedSkew recognition) > leastSkew = recognisedSkew recognition
   | otherwise = 0
 
 -- | Positions in the command line's form: @6,5 7,0@.

@@ -32,7 +32,8 @@ certain :: ReadSymbol -> Maybe (Symmetry, Int)
 certain s
   | readSeen s < 1 =
     if readSeen s >= 1 / 3 && readDoubt s < 0.001 then Just (readLikeliest s) else Nothing
-  | readDoubt s < 0.1 && readNone s < 0.1 && readClass s == Just (readLikeliest s) = readClass s
+  | readDoubt s < 0.1 && readForeignProbability s < 0.1 && readClass s == Just (readLikeliest s) =
+    readClass s
   | otherwise = Nothing
 
 -- | The axis of the symbols: 'identity', or @turned 1@ if the likeliest orientation of any lies on

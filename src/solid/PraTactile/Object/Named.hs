@@ -13,7 +13,7 @@ where
 
 import Data.Ratio ((%))
 import PraTactile.Object.Description
-import PraTactile.Object.Solid
+import PraTactile.Object.PaperObjects
 
 -- | A solid by its name. Lengths are in millimetres.
 data Named

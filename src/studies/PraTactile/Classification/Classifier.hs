@@ -129,7 +129,7 @@ classified classifier image = do
           upsideDown
       (verdict, symbol) =
         combined (decide standardThresholds upright) (decide standardThresholds upsideDown)
-      none = sigmoid (estimateUnlike shown)
+      none = sigmoid (estimateForeignShape shown)
   if length upright /= classes
     then Left (Network.WrongOutputCount (length upright) classes)
     else

@@ -6,7 +6,7 @@
 -- An image shows one of 2 q things (class k, upright or turned by 180 degrees) or another shape.
 -- Three numbers are computed from it. For each of the 2 q things: the logit z of its output, taken
 -- from the image or from the turned image, and the correlation s with its shape ('match'). For the
--- image alone: the correlation u with the free-form drawing that fits it best ('freeLikeness').
+-- image alone: the correlation u with the free-form drawing that fits best ('freeFormCorrelation').
 -- Assume that the image x is a shape of any gain and offset under normal noise of unknown variance.
 -- Then the likelihood of the shape is a power of 1 - s^2, so correlation enters as
 --
@@ -32,13 +32,13 @@ module PraTactile.Classification.Calibration
     standardCalibration,
 
     -- * Probabilities
-    Look (..),
-    look,
-    chances,
-    unlikeness,
+    SymbolFeatures (..),
+    symbolFeatures,
+    classProbabilities,
+    logOddsOther,
 
     -- * Fitting
-    Seen (..),
+    Labelled (..),
     fitted,
     fittedBytes,
     conditionalLogit,
@@ -74,10 +74,10 @@ import Numeric.LinearAlgebra
     (<>),
     (<\>),
   )
+import PraTactile.Classification.FreeForm (freeFormCorrelation)
 import PraTactile.Classification.Network (NetworkError (..))
 import PraTactile.Classification.Network.File (networkText)
 import PraTactile.Classification.Templates
-import PraTactile.Classification.Unlike (freeLikeness)
 import PraTactile.Decimal (readDouble)
 import PraTactile.Image (Raster, onRaster)
 import PraTactile.Symmetry
@@ -105,18 +105,18 @@ standardCalibration :: Int -> Calibration
 standardCalibration classes = Calibration 0.06 11 (replicate classes 0) [14.4, 6.9, -22.9, -0.26]
 
 -- | The features of an image: z and s for each class and orientation; then u.
-data Look = Look ![((Int, Symmetry), (Double, Double))] !Double
+data SymbolFeatures = SymbolFeatures ![((Int, Symmetry), (Double, Double))] !Double
 
 -- | The features of an 8 x 12 image, from the classifier's outputs (one per class) for the image
 -- and for the image turned by 180 degrees.
-look :: Templates -> Raster -> [Double] -> [Double] -> Look
-look shapesSeen image upright upsideDown =
-  Look
+symbolFeatures :: Templates -> Raster -> [Double] -> [Double] -> SymbolFeatures
+symbolFeatures shapesSeen image upright upsideDown =
+  SymbolFeatures
     [ ((c, turn), (logit o, match shapesSeen c (onRaster turn image)))
       | (turn, values) <- [(identity, upright), (turned 2, upsideDown)],
         (c, o) <- zip [0 ..] values
     ]
-    (freeLikeness image)
+    (freeFormCorrelation image)
 
 -- | The inverse of the logistic function; outputs are first clipped to 10^-15 from 0 and 1.
 logit :: Double -> Double
@@ -132,8 +132,8 @@ weight s = negate (log (max 0.01 (1 - r * r)))
 
 -- | The probability of each class and orientation, given that the image shows one of the
 -- alphabet's shapes.
-chances :: Calibration -> Look -> [((Int, Symmetry), Double)]
-chances (Calibration alpha beta gammas _) (Look told _) =
+classProbabilities :: Calibration -> SymbolFeatures -> [((Int, Symmetry), Double)]
+classProbabilities (Calibration alpha beta gammas _) (SymbolFeatures told _) =
   zip (map fst told) (softmax [score what seen | (what, seen) <- told])
   where
     offsets = gammas ++ repeat 0
@@ -147,24 +147,24 @@ softmax scores = map (/ sum powers) powers
 -- | The log-likelihood ratio of another shape to the alphabet's, given the alphabet's most likely
 -- class and orientation. It is clipped to -9..9: more than ten thousand images would be needed to
 -- support a larger value.
-unlikeness :: Calibration -> (Int, Symmetry) -> Look -> Double
-unlikeness calibration likeliest =
+logOddsOther :: Calibration -> (Int, Symmetry) -> SymbolFeatures -> Double
+logOddsOther calibration likeliest =
   max (-9) . min 9 . sum . zipWith (*) (ofOthers calibration) . otherRegressors likeliest
 
 -- | The regressors that delta_0 to delta_3 multiply.
-otherRegressors :: (Int, Symmetry) -> Look -> [Double]
-otherRegressors likeliest (Look told u) =
+otherRegressors :: (Int, Symmetry) -> SymbolFeatures -> [Double]
+otherRegressors likeliest (SymbolFeatures told u) =
   [1, weight u - weight s, s, z]
   where
     (z, s) = fromMaybe (0, 0) (lookup likeliest told)
 
 -- | An image whose truth is known: what it shows ('Nothing' for another shape), and its features.
-data Seen = Seen !(Maybe (Int, Symmetry)) !Look
+data Labelled = Labelled !(Maybe (Int, Symmetry)) !SymbolFeatures
 
 -- | The calibration of maximum posterior probability for labelled images of an alphabet with the
 -- given number of classes. Each number is rounded to three decimals, so that the last bits of the
 -- arithmetic do not matter.
-fitted :: Int -> [Seen] -> Calibration
+fitted :: Int -> [Labelled] -> Calibration
 fitted classes images =
   Calibration (rounded alpha) (rounded beta) (map rounded gammas) (map rounded (toList others))
   where
@@ -176,7 +176,7 @@ fitted classes images =
         (vector ([perLogit prior, perLikeness prior] ++ classOffsets prior))
         (vector ([2500, 0.1] ++ replicate classes 10))
         [ (regressors (what, own), map regressors told)
-          | Seen (Just what) (Look told _) <- images,
+          | Labelled (Just what) (SymbolFeatures told _) <- images,
             Just own <- [lookup what told]
         ]
     regressors ((c, _), (z, s)) =
@@ -187,8 +187,8 @@ fitted classes images =
         (vector (ofOthers prior))
         (vector [1, 1, 1, 100])
         [ (maybe other (const ours) truth, [ours, other])
-          | Seen truth seen <- images,
-            best : _ <- [sortOn (Down . snd) (chances ofOurs seen)],
+          | Labelled truth seen <- images,
+            best : _ <- [sortOn (Down . snd) (classProbabilities ofOurs seen)],
             let other = vector (otherRegressors (fst best) seen)
         ]
     ours = konst 0 4

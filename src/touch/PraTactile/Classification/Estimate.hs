@@ -28,7 +28,7 @@ data Estimate = Estimate
     estimateChances :: ![((Int, Symmetry), Double)],
     -- | the logarithm of a likelihood ratio: of the image if it shows another shape, to the image
     -- if it shows one of the alphabet ('unlikeness'); 0 if it was not computed
-    estimateUnlike :: !Double
+    estimateForeignShape :: !Double
   }
   deriving stock (Eq, Show)
 
@@ -64,10 +64,10 @@ estimateFrom calibration shapesSeen image upright upsideDown =
     [] -> Estimate (0, identity) [] 0
     all'@(one : others) ->
       let likeliest = fst (foldl' (\a b -> if snd b > snd a then b else a) one others)
-       in Estimate likeliest all' (unlikeness calibration likeliest seen)
+       in Estimate likeliest all' (logOddsOther calibration likeliest seen)
   where
-    seen = look shapesSeen image upright upsideDown
-    told = chances calibration seen
+    seen = symbolFeatures shapesSeen image upright upsideDown
+    told = classProbabilities calibration seen
     -- All the other classes together have at least 'leastDoubt', whatever the regression says.
     floored p = (1 - spread) * p + spread / n
     spread = leastDoubt * n / max 1 (n - 1)

@@ -1,12 +1,11 @@
 {-# LANGUAGE BangPatterns #-}
 {-# OPTIONS_HADDOCK hide #-}
 
--- | Many frames registered by all their pairs together, whatever they show: each pair that
--- overlaps, diagonal ones too, says how likely every displacement of its frames against each other
--- is, and the robot's error how likely each of these is. A pair that is wrong is outvoted, for it
--- denies nothing to the others.
+-- | Registers many frames by all their pairs together, whatever they show. Each overlapping pair,
+-- diagonal ones too, gives a log-likelihood for every relative displacement. The robot's error is
+-- the prior. A wrong pair is outvoted, since its factor is at least 1 everywhere.
 --
--- The cost is that of the pairs, of which each frame has at most @mostPairs@ of its own choice.
+-- The cost is proportional to the number of pairs. Each frame chooses at most @mostPairs@.
 module PraTactile.Registration.AllPairs
   ( Pairwise (..),
     registerPairwise,
@@ -42,18 +41,18 @@ import PraTactile.Registration.Posterior
 import PraTactile.Registration.Settings (Registration (..), supposedSigma)
 import PraTactile.Registration.Spectrum (spectra)
 
--- | Frames put together by their pairs.
+-- | The registration of frames by their pairs.
 data Pairwise = Pairwise
-  { -- | Where each frame is, in their order. The displacements have mean 0, since a shift common to
-    -- all cannot be seen.
+  { -- | The estimate of each frame, in their order. The displacements have mean 0, since a shift
+    -- common to all is unobservable.
     pairwiseFrames :: [Estimate],
-    -- | The standard deviation of the robot's position error, taxels, where pairs tell it.
+    -- | The standard deviation of the robot's position error, taxels; 'Nothing' without pairs.
     pairwiseSigma :: Maybe Double,
-    -- | The relief that the frames show.
+    -- | The process of the frames' relief.
     pairwiseRelief :: Relief
   }
 
--- | Frames registered from the nominal places (taxels) of their upper left pixels.
+-- | Registers frames, given the nominal places (taxels) of their upper left pixels.
 registerPairwise :: Registration -> [(Taxels, Raster)] -> Pairwise
 registerPairwise settings frames = Pairwise (fst (centred estimates)) sigma relief
   where
@@ -74,10 +73,10 @@ registerPairwise settings frames = Pairwise (fst (centred estimates)) sigma reli
           | (r, field, l) <- zip3 beyond fields onGrid'
         ]
     estimates = zipWith estimated onGrid' places
-    -- What was found between grid points holds for a frame's other displacements, too.
+    -- The offset between grid points also applies to a frame's alternative displacements.
     estimated l place = moveBy ((eighth (fst place), eighth (snd place)) `minus` estimateShift l) l
 
--- | The relief of frames, all of one size, by what is known of their noise.
+-- | The relief process of frames of one size, given their noise in the settings.
 reliefBy :: Registration -> [Raster] -> Relief
 reliefBy settings images = reliefOf (uncurry spectra size) least images
   where
@@ -87,8 +86,8 @@ reliefBy settings images = reliefOf (uncurry spectra size) least images
     variance = sum deviations' / fromIntegral (max 1 (length deviations'))
     deviations' = [sd * sd | Just sd <- map standardDeviation images]
 
--- | The pairs that are compared: those that share at least a fifth of a frame, as diagonal ones
--- have whose steps are half a frame; of each frame's pairs at most 'mostPairs', evenly.
+-- | The pairs to compare: those that share at least 'leastOverlap' of a frame, as diagonal pairs do
+-- at steps of half a frame. Each frame chooses at most 'mostPairs' of its pairs, evenly spread.
 compared :: [(Taxels, Raster)] -> [Neighbours]
 compared frames = [pair | (n, pair) <- numbered, n `IntSet.member` chosen]
   where
@@ -102,12 +101,12 @@ compared frames = [pair | (n, pair) <- numbered, n `IntSet.member` chosen]
             k <- [first, second]
         ]
 
--- | The log evidence of frames at their nominal places (taxels) against relief of each frame's own,
--- as some of their pairs tell it for all:
+-- | Log evidence of frames at their nominal places (taxels), relative to unrelated relief in each.
+-- Some of the pairs stand for all:
 --
 -- > E = sum over pairs of log (delta + (1 - delta) * sum over e of pi(e) exp L(e))
 --
--- Pairs of frames that hardly moved tell nothing of how any lie.
+-- Pairs less than two taxels apart are left out, since they do not depend on the layout.
 pairsEvidence :: Registration -> Relief -> [(Taxels, Raster)] -> Double
 pairsEvidence settings relief frames = ofEach * sum (map likelier some)
   where
@@ -126,7 +125,8 @@ pairsEvidence settings relief frames = ofEach * sum (map likelier some)
           ]
     sigma = sqrt 2 * supposedSigma settings
 
--- | In how many pixels 'registerPairwise' compares frames, at all displacements of its grid.
+-- | The number of pixels in which 'registerPairwise' compares frames, over all displacements of its
+-- grid.
 comparedPixels :: Registration -> [(Taxels, Raster)] -> Int
 comparedPixels settings frames = sum (map pixels (compared frames))
   where
@@ -134,10 +134,10 @@ comparedPixels settings frames = sum (map pixels (compared frames))
     area = maximum (1 : [rasterWidth image * rasterHeight image | (_, image) <- frames])
     displacements = (2 * pairReach settings + 1) ^ (2 :: Int)
 
--- | Displacements between grid points, from the likeliest ones on these and how probable each is
--- there: those that fit the pairs best by least squares. A pair says where L is highest near where
--- its frames lie, and how the frames differ there, as far as both frames are there and show
--- one relief.
+-- | Refines displacements between grid points by least squares, from the likeliest grid points and
+-- their probabilities. A pair acts as a spring: it pulls its frames to its highest L nearby, plus
+-- their offset there. Its weight is that offset's precision times the probability that both frames
+-- are there and show one relief.
 leastSquares ::
   Grid ->
   Registration ->
@@ -166,7 +166,7 @@ leastSquares grid settings relief told nominal pairs start = zip (solved fst) (s
         (stepX, stepY) = gridStep (nominal Boxed.! k) (nominal Boxed.! l)
         (x, y) = ((places Boxed.! l) `minus` (places Boxed.! k)) `plus` beyond
         beyond = rest (nominal Boxed.! l) `minus` rest (nominal Boxed.! k)
-    -- Each frame in turn is where its pairs and the robot have it in the mean.
+    -- Each frame in turn moves to the weighted mean of its pairs and the robot's prior.
     solved part =
       let from = IntMap.fromList (zip [0 ..] (map (part . fst) start))
        in IntMap.elems (iterate (sweep part) from !! mostSteps)
@@ -176,7 +176,7 @@ leastSquares grid settings relief told nominal pairs start = zip (solved fst) (s
         (weight, along) = foldl' add (robot, robot * part common) (around Boxed.! k)
         add (!w, !t) (l, ws, e) =
           let v = part ws in (w + v, t + v * (IntMap.findWithDefault 0 l at + part e))
-    -- The expected inverse of sigma's square, inverse square taxels.
+    -- The expectation of 1 / sigma^2, inverse square taxels.
     robot = sum (zipWith weigh (sigmaShares grid (squaresAbout told)) (gridSigmas grid))
     weigh share sigma = share / (sigma * sigma)
     common = let Moments n x y _ = told in (x / n, y / n)

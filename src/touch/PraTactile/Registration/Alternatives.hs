@@ -1,8 +1,8 @@
 {-# OPTIONS_HADDOCK hide #-}
 
--- | Alternatives to the layout that frames on a lattice are found in: one frame elsewhere, or some
--- of them a whole cell further along the face. Frames stay on the lattice, so that what each tells
--- of its cells is told of others.
+-- | Alternatives to the layout in which frames on a lattice are found: one frame elsewhere, or some
+-- frames a whole cell further along the face. All frames stay on the lattice, so that their
+-- log-likelihoods belong to other cells.
 module PraTactile.Registration.Alternatives
   ( oneElsewhere,
     slipped,
@@ -22,8 +22,8 @@ import PraTactile.Registration.Joint.Displacement (cellNumber)
 import PraTactile.Registration.Numbers (mostElsewhere, mostTied, sure)
 import PraTactile.Registration.Posterior (Hypothesis (..))
 
--- | The lattice with one frame where else it may be, for the most probable such places of all
--- frames, with the odds of each to where the frame was found.
+-- | The lattices with one frame at an alternative place, each with the odds of that place to the
+-- one found. They are the 'mostElsewhere' most probable of all frames.
 oneElsewhere :: Joint -> [(Double, Lattice)]
 oneElsewhere found =
   take mostElsewhere . sortOn (negate . fst) $
@@ -45,8 +45,8 @@ oneElsewhere found =
     changed :: Int -> (a -> a) -> [a] -> [a]
     changed k change xs = [if k == n then change x else x | (n, x) <- zip [0 ..] xs]
 
--- | The lattice with each frame so many rows and columns of cells further, and the log-likelihood
--- ratio of that to where the frames were found.
+-- | The log-likelihood ratio of a slip to the layout found, and its lattice. Given are the rows and
+-- columns of cells by which each frame slips.
 slipped :: Joint -> [(Int, Int)] -> (Double, Lattice)
 slipped found steps = (cellsBound told - cellsBound (jointTold found), laid)
   where
@@ -59,9 +59,10 @@ slipped found steps = (cellsBound told - cellsBound (jointTold found), laid)
           latticeCells = cellsTold told
         }
 
--- | For each frame its group: frames that more likely than not have the symbols in common that both
--- see, directly or through others. Groups are numbered as they come; -1 is none, of frames that
--- show no symbol in odds of 99. Of more than 'mostTied' frames all are one group.
+-- | The group of each frame, numbered in order. Two frames are tied if they are likelier to show
+-- one symbol than two in the cells that both see. Ties join frames directly or through others. The
+-- group -1 has the frames that show no symbol at odds of 99. Of more than 'mostTied' frames all are
+-- one group.
 tiedGroups :: Joint -> [Int]
 tiedGroups found
   | length told > mostTied = map (const 0) told
@@ -78,7 +79,7 @@ tiedGroups found
         ]
     joined = joinedBy (length told) ties
     ties = [(k, l) | (k, a) : others <- tails showing, (l, b) <- others, tie a b > 0]
-    -- The log-likelihood ratio of one symbol in each cell that both see to two.
+    -- The log-likelihood ratio of one symbol to two in the cells that both see.
     tie a b = cellsBound [a', b'] - cellsBound [a'] - cellsBound [b']
       where
         (a', b') = (IntMap.intersection a b, IntMap.intersection b a)

@@ -1,6 +1,6 @@
 {-# OPTIONS_HADDOCK hide #-}
 
--- | The methods to find where frames were: which, and what is told of each frame.
+-- | The methods of registration: choosing one, and the result for each frame.
 module PraTactile.Registration.Arrangement
   ( StitchMethod (..),
     Registered (..),
@@ -18,23 +18,23 @@ where
 import Control.Applicative ((<|>))
 import Data.Maybe (fromMaybe, listToMaybe)
 import qualified Data.Vector.Storable as V
-import PraTactile.Composite (Otherwise, compositeOf)
+import PraTactile.Composite (AlternativeLayout, compositeOf)
 import PraTactile.Composite.Blend (Taxels)
 import PraTactile.Composite.Lattice (Lattice)
 import PraTactile.Composite.Noise (spacedOut)
-import PraTactile.Composite.Tilt (tilts)
+import PraTactile.Composite.Skew (skews)
 import PraTactile.Image (Raster, rasterSize, rasterValues, standardDeviation)
 import PraTactile.Registration.AllPairs
+import PraTactile.Registration.AlternativeLayouts
 import PraTactile.Registration.Groups (groupsOf)
 import PraTactile.Registration.Incremental (comparisons, register)
 import PraTactile.Registration.Joint
 import PraTactile.Registration.Lattice.Angle (latticeAngle)
+import PraTactile.Registration.Lattice.Crop
 import PraTactile.Registration.Lattice.Fit (Touched, fitsAt)
-import PraTactile.Registration.Lattice.Glimpse
 import PraTactile.Registration.Lattice.Template (LatticeTables)
 import PraTactile.Registration.Levelling
 import PraTactile.Registration.Numbers (interpolated)
-import PraTactile.Registration.Others
 import PraTactile.Registration.Posterior (Hypothesis)
 import PraTactile.Registration.Residual (residual)
 import PraTactile.Registration.Settings (Registration (..))
@@ -42,79 +42,80 @@ import PraTactile.Registration.Spectrum (spectra)
 
 -- | How frames are registered.
 data StitchMethod
-  = -- | by the lattice if the frames show it, else by all pairs that overlap
+  = -- | by the lattice if the frames show one, else by all overlapping pairs
     Automatic
   | -- | by the lattice of cells
     ByLattice
-  | -- | by all pairs that overlap, together, by what they show alone
-    Jointly
+  | -- | by all overlapping pairs together, from what they show alone
+    ByPairs
   | -- | frame by frame, by the paper's cross-correlation
     Incremental
   | -- | not at all
     Nominal
   deriving stock (Eq, Ord, Show, Enum, Bounded)
 
--- | What is told of a frame.
+-- | The registration of one frame.
 data Registered = Registered
   { -- | Its displacement from its nominal place, taxels right and down.
     registeredShift :: !Taxels,
-    -- | Its standard deviations, taxels, where the method tells them.
+    -- | Its standard deviations, taxels; 'Nothing' if the method has none.
     registeredDeviation :: !(Maybe Taxels),
-    -- | The probability that it is within three quarters of a taxel of the truth, likewise.
+    -- | The probability that it is within three quarters of a taxel of the truth; 'Nothing' if the
+    -- method has none.
     registeredProbability :: !(Maybe Double),
-    -- | Displacements that it may have instead, at least two taxels away, the most probable first.
+    -- | Alternative displacements, at least two taxels away, the most probable first.
     registeredOthers :: [Hypothesis],
     -- | The group of frames that overlap one another, directly or through others, from 0 on.
     registeredGroup :: !Int
   }
   deriving stock (Eq, Show)
 
--- | Frames with their displacements.
+-- | The registration of all frames.
 data Arrangement = Arrangement
   { arrangementMethod :: !StitchMethod,
     arrangementFrames :: ![Registered],
-    -- | What brings each frame to the scale of all.
+    -- | Each frame's rescaling to the common scale.
     arrangementLevels :: [Level],
-    -- | The standard deviation of the robot's position error, taxels, where the method tells it.
+    -- | The standard deviation of the robot's position error, taxels; 'Nothing' if the method has
+    -- none.
     arrangementSigma :: Maybe Double,
-    -- | The standard deviation of one frame from what others saw at the same place, grey values.
+    -- | The standard deviation of one frame from the others at the same place, grey values.
     arrangementResidual :: Maybe Double,
-    -- | The lattice, in taxels from the origin of the places, where the method finds one.
+    -- | The lattice, in taxels from the origin of the places, if the method finds one.
     arrangementLattice :: Maybe Lattice,
-    -- | Alternative layouts that the frames do not refute; places count as the frames' do. None
-    -- where nothing is registered.
-    arrangementOthers :: [Otherwise]
+    -- | Alternative layouts that the frames do not refute, with places as the frames have them. The
+    -- list is empty without registration.
+    arrangementAlternatives :: [AlternativeLayout]
   }
 
--- | The most pixels that frames are compared in for a first look at which of them tell most of
--- each other: those of each frame, once for each other that may come to overlap it. Thousands of
--- frames have fewer where they lie half a frame apart.
+-- | The most pixels in which the incremental method may compare frames at first. The pixels of each
+-- frame count once for every other that may overlap it. Thousands of frames at steps of half a
+-- frame stay below.
 maxComparisons :: Int
 maxComparisons = 536870912
 
--- | The most pixels of a frame that is held against the lattice.
+-- | The most pixels of a frame that is fitted to the lattice.
 maxLatticePixels :: Int
 maxLatticePixels = 65536
 
--- | The most pixels that all pairs of frames are compared in, at all displacements that they may
--- have: some fifteen seconds of computing.
+-- | The most pixels in which all pairs of frames may be compared, over all displacements: some
+-- fifteen seconds of computing.
 maxPairPixels :: Int
 maxPairPixels = 4294967296
 
--- | Why frames are not registered: it would take too much.
+-- | Why frames are not registered: the cost.
 data TooMuch
-  = -- | They would be compared in so many pixels, more than 'maxComparisons'.
+  = -- | The incremental method would compare this many pixels, more than 'maxComparisons'.
     ComparedPixels !Int
-  | -- | Their pairs would be compared in so many pixels, more than 'maxPairPixels'.
+  | -- | All pairs would compare this many pixels, more than 'maxPairPixels'.
     PairPixels !Int
-  | -- | A frame has so many pixels, more than 'maxLatticePixels'.
+  | -- | A frame has this many pixels, more than 'maxLatticePixels'.
     LatticePixels !Int
   deriving stock (Eq, Show)
 
--- | Find the displacements, given the nominal places (taxels) of the frames' upper left pixels, and
--- where these count from in the robot's coordinates.
--- Frames that show nothing, or of which there is one, stay where they are. The lattice is that of
--- the symbols whose tables are given.
+-- | Registers frames, given the nominal places (taxels) of their upper left pixels, and the origin
+-- of these places in the robot's coordinates. A single frame stays where it is, and so do frames
+-- that show nothing. The lattice is that of the symbols whose tables are given.
 arrange ::
   LatticeTables ->
   StitchMethod ->
@@ -143,24 +144,24 @@ arrange tables method settings robot touched
     images = map snd frames
     sizes = map rasterSize images
     fits = fitsAt tables (map snd touched)
-    -- What the frames tell of the lattice, if they show it.
+    -- The fits at the lattice's angle, if the frames show a lattice.
     lattice = do
       size <- listToMaybe sizes
       latticeAngle
         fits
-        (uncurry spectra (glimpseSize size))
-        (tilts (map compositeOf (spacedOut tiltFrames images)))
-        (map glimpse images)
+        (uncurry spectra (cropSize size))
+        (skews (map compositeOf (spacedOut skewFrames images)))
+        (map variedCrop images)
     oneByOne =
       arranged frames Incremental (map (const unlevelled) frames) $
         [Registered d Nothing Nothing [] | d <- register settings frames]
     byPairs =
-      ( arranged frames Jointly (map (const unlevelled) frames) $
+      ( arranged frames ByPairs (map (const unlevelled) frames) $
           map estimated (pairwiseFrames found)
       )
         { arrangementSigma = pairwiseSigma found,
-          arrangementOthers =
-            othersByPairs (knowing (pairwiseSigma found)) (pairwiseRelief found) robot frames
+          arrangementAlternatives =
+            alternativesByPairs (knowing (pairwiseSigma found)) (pairwiseRelief found) robot frames
         }
       where
         found = registerPairwise settings frames
@@ -168,7 +169,7 @@ arrange tables method settings robot touched
       (arranged frames ByLattice (jointLevels found) (map estimated (jointFrames found)))
         { arrangementSigma = jointSigma found,
           arrangementLattice = Just (jointLattice found),
-          arrangementOthers = othersOnLattice settings fits' robot touched found
+          arrangementAlternatives = alternativesOnLattice settings fits' robot touched found
         }
       where
         found = registerJointly settings fits' touched
@@ -180,15 +181,16 @@ arrange tables method settings robot touched
         (Just (estimateProbability l))
         (estimateOthers l)
 
--- | The frames where they nominally are.
+-- | Leaves frames at their nominal places.
 unarranged :: StitchMethod -> [(Taxels, Raster)] -> Arrangement
 unarranged method frames =
   arranged frames used (map (const unlevelled) frames) (map (const stays) frames)
   where
-    used = if method == Automatic then Jointly else method
+    used = if method == Automatic then ByPairs else method
     stays = Registered (0, 0) Nothing Nothing []
 
--- | Frames by the method used, their levelling, and what is told of each but its group.
+-- | An arrangement from the frames, the method used, their levels, and each frame's registration as
+-- a function of its group.
 arranged ::
   [(Taxels, Raster)] ->
   StitchMethod ->
@@ -203,7 +205,7 @@ arranged frames used levels frameOf =
       arrangementSigma = Nothing,
       arrangementResidual = residual places,
       arrangementLattice = Nothing,
-      arrangementOthers = []
+      arrangementAlternatives = []
     }
   where
     places =
@@ -211,15 +213,14 @@ arranged frames used levels frameOf =
         [(place, levelled level image) | ((place, image), level) <- zip frames levels]
         [registeredShift (a 0) | a <- frameOf]
 
--- | The most frames that the angle at which symbols seem to lie is told from, before it is told by
--- the lattice: more would take memory for nothing.
-tiltFrames :: Int
-tiltFrames = 256
+-- | At most this many frames give hints of the lattice's angle. More would only take memory.
+skewFrames :: Int
+skewFrames = 256
 
--- | Settings for frames of another pitch, brought to the canonical one: their noise has, beside the
--- sensor's, what two frames differ by because their pixels are interpolated: as variance, a share
--- of that of all the frames' relief. Noise that was averaged away would otherwise let
--- patches that hardly vary decide where a frame lies.
+-- | Adds the error of interpolation to the noise, for frames brought to the canonical pitch from
+-- another. Its variance is a share ('interpolated') of the variance of all the frames' relief.
+-- Resampling averages the sensor's noise away. Without the addition, patches that hardly vary would
+-- decide where a frame lies.
 withMisfit :: [Raster] -> Registration -> Registration
 withMisfit images settings =
   settings {registrationNoise = sqrt (noise * noise + interpolated * relief)}

@@ -1,32 +1,31 @@
 {-# LANGUAGE BangPatterns #-}
 {-# OPTIONS_HADDOCK hide #-}
 
--- | Presses that are tilted: finds the plane between a rigid sensor and the face with the gain and
--- the offset of each frame, takes it away, and tells what does not touch.
+-- | Tilted presses: finds the plane between a rigid sensor and the face with each frame's gain and
+-- offset, removes it, and weights the taxels by their contact.
 --
--- A rigid sensor that is tilted lies nearer to the face here than there, by p x + q y, where x and
--- y go from -1 to 1 between its edges. A taxel that does not touch reads c, the mean of the lowest
--- 1/32 of the readings. A taxel that touches reads the more, the nearer it lies:
+-- A tilted rigid sensor lies nearer to the face by p x + q y, where x and y go from -1 to 1 between
+-- its edges. A taxel that does not touch reads c, the mean of the lowest 1/32 of the readings. A
+-- taxel that touches reads more the nearer it lies:
 --
 -- > z = c + h_r(x, y) + noise,    h_r(x, y) = max 0 (a r + b + p x + q y)
 --
--- where r is 0, 1/2 (on an edge) or 1, with the probabilities 0.62, 0.16 and 0.22, independently in
--- each taxel. (a, b, p, q, v) is maximised, from the even press and from slopes in eight
--- directions:
+-- where r is 0, 1/2 (on an edge) or 1, with priors 0.62, 0.16 and 0.22, independent in each taxel.
+-- EM maximises over (a, b, p, q, v), from the even press and from slopes in eight directions:
 --
 -- > eStep:  rho_r(u) ~ P(r) exp (- (z(u) - c - h_r(u))^2 / (2 v))
 -- > mStep:  (a, b, p, q) = least squares of a r + b + p x + q y against z - c, by rho_r(u), over
 -- >         the taxels u and reliefs r that touch: where the argument of h_r is above 0
 -- >         v = (sum of rho_r (z - c - h_r)^2) / N
 --
--- Presses are tilted if 'mostAsked' of them show it by 'sure', where slopes cost what Schwarz's
--- criterion says and 'independentShare' of the taxels counts:
+-- Presses count as tilted if 'mostAsked' of them show it by 'sure'. Schwarz's criterion charges for
+-- the slopes, and 'independentShare' of the taxels counts:
 --
 -- > sum over frames of (share (log p(z) - max over p = q = 0 of log p(z)) - log N) > log 99
 --
--- Then each frame is read as by an even press of the same depth. A taxel in which embossing would
--- read t times as much more than what is flat as it does at the centre, and whose noise is 1/t of
--- the centre's, has the weight w = min 1 t^2; below 'leastTouch' it does not touch, and has none:
+-- Each frame is then rewritten as an even press of the same depth would read it. t is a taxel's
+-- contrast of embossed to flat, relative to the centre's, so that its noise becomes 1/t of the
+-- centre's. Its weight is w = min 1 t^2, or 0 if t is below 'leastTouch', where it does not touch:
 --
 -- > t  = (h_1(x, y) - h_0(x, y)) / (h_1(0, 0) - h_0(0, 0))
 -- > z' = c + h_0(0, 0) + (z - c - h_0(x, y)) / t
@@ -61,14 +60,14 @@ import PraTactile.Registration.Numbers
     pressSteps,
   )
 
--- | Frames as even presses would read them, each with w, what its taxels count; 'Nothing' where the
--- frames do not show that they are tilted.
+-- | Frames as even presses would read them, each with the weights w of its taxels; 'Nothing' unless
+-- the frames show that they are tilted.
 evened :: [Raster] -> Maybe [(Raster, Raster)]
 evened images
   | sum (map shown (spacedOut mostAsked (filter varied images))) > log 99 = Just (map even' images)
   | otherwise = Nothing
   where
-    -- By Schwarz's criterion a plane costs half the logarithm of the taxels for each slope.
+    -- Schwarz's criterion charges half the log of the number of taxels for each slope.
     shown image =
       let taxels = taxelsOf image
           (level, press) = climbed Level pressSteps taxels (usualPress taxels)
@@ -79,7 +78,7 @@ evened images
       | otherwise = (image, uncurry constant (rasterSize image) 1)
     varied = any (> 1e-9) . standardDeviation
 
--- | A frame as an even press would read it, and w.
+-- | A frame as an even press would read it, and the weights w of its taxels.
 evenedBy :: Press -> Raster -> (Raster, Raster)
 evenedBy press image = (generate w h level, generate w h counts)
   where
@@ -97,11 +96,11 @@ evenedBy press image = (generate w h level, generate w h counts)
       let share = touchAt (plane x y) in if share < leastTouch then 0 else min 1 (share * share)
     touchAt s = contrast s / unit
     contrast s = indentation press 1 s - indentation press 0 s
-    -- Where the centre hardly touches, half of what there is at the corner that touches most.
+    -- The centre's contrast, or half of that at the corner that touches most, if this is more.
     unit = max 1e-6 (max (contrast 0) (contrast most / 2))
     most = abs (pressAcross press) + abs (pressDown press)
 
--- | The press that makes a frame likeliest; the frame must not be without variation.
+-- | The maximum-likelihood press of a frame, which must vary.
 likeliestPress :: Raster -> Press
 likeliestPress image = snd (maximumBy (comparing fst) (map (climbed Tilted 15 taxels) starts))
   where
@@ -115,10 +114,10 @@ likeliestPress image = snd (maximumBy (comparing fst) (map (climbed Tilted 15 ta
             let t = pi * fromIntegral k / 4
         ]
 
--- | A reading above c, standardised, and where it was read: x and y from -1 to 1.
+-- | A reading minus c, standardised, and its place: x and y from -1 to 1.
 data Taxel = Taxel !Double !Double !Double
 
--- | Those of a frame, at most 1024, evenly.
+-- | The taxels of a frame, at most 1024, evenly spread.
 taxelsOf :: Raster -> [Taxel]
 taxelsOf image =
   [ Taxel ((v - mean) / deviation - lowest) (across w x) (across h y)
@@ -131,7 +130,7 @@ taxelsOf image =
     (mean, deviation, lowest) = scaleOf image
     every = max 1 (ceiling (sqrt (fromIntegral (w * h) / 1024 :: Double)))
 
--- | From -1 to 1 between the edges of so many taxels.
+-- | The place of taxel k of n, from -1 to 1 between the edges.
 across :: Int -> Int -> Double
 across n k = (2 * fromIntegral k + 1 - fromIntegral n) / fromIntegral n
 
@@ -144,18 +143,18 @@ scaleOf image = (mean, deviation, (sum few / fromIntegral (length few) - mean) /
     values = rasterValues image
     few = take (max 1 (V.length values `quot` 32)) (sort (V.toList values))
 
--- | An even press as it is usual of symbols.
+-- | An even press with a gain and an offset usual for symbols.
 usualPress :: [Taxel] -> Press
 usualPress taxels = Press gain (average - 0.3 * gain) 0 0 0.25
   where
     gain = 1 / 0.42
     average = sum [t | Taxel t _ _ <- taxels] / fromIntegral (max 1 (length taxels))
 
--- | Whether p and q are found, or stay 0.
+-- | Whether p and q are estimated, or stay as they are.
 data Slopes = Level | Tilted
   deriving stock (Eq)
 
--- | log p(z) and the press after so many steps.
+-- | EM with n E steps: log p(z) and the press of the last.
 climbed :: Slopes -> Int -> [Taxel] -> Press -> (Double, Press)
 climbed slopes n taxels press
   | n <= 1 = (density, press)
@@ -164,14 +163,14 @@ climbed slopes n taxels press
     (density, expected) = eStep press taxels
     slopes' = if slopes == Level then 2 else 4
 
--- | What is expected at a press: the sums over taxels and reliefs that touch, each as probable as
--- it is, of the products of (r, 1, x, y) with each other and with the reading; the squared errors
--- of all, and how many taxels there are.
+-- | Posterior sums over taxels and the reliefs that touch: of the products of (r, 1, x, y) with
+-- each other and with the reading. Then the squared errors of all reliefs, and the number of
+-- taxels.
 data Expected = Expected
   { rr, r1, rx, ry, n1, nx, ny, xx, xy, yy, tr, t1, tx, ty, errors, total :: !Double
   }
 
--- | log p(z) at a press, and what is expected.
+-- | log p(z) at a press, and the expected sums.
 eStep :: Press -> [Taxel] -> (Double, Expected)
 eStep press taxels = (logs - total sums / 2 * log (2 * pi * pressVariance press), sums)
   where
@@ -216,8 +215,8 @@ eStep press taxels = (logs - total sums / 2 * log (2 * pi * pressVariance press)
             (errors e + (e0 * d0 * d0 + eh * dh * dh + e1 * d1 * d1) / mass)
             (total e + 1)
 
--- | The press of least squares, of which the first so many of a, b, p and q are found; the others
--- stay as they are.
+-- | The least-squares press, given how many of a, b, p and q to estimate (2 or 4). The others stay
+-- as they are.
 mStep :: Int -> Press -> Expected -> Press
 mStep slopes press e = case linearSolve system given of
   Just found ->
@@ -233,7 +232,7 @@ mStep slopes press e = case linearSolve system given of
     system = (slopes >< slopes) (concatMap (take slopes) (take slopes (ridged rows)))
     given = (slopes >< 1) (map ($ e) (take slopes [tr, t1, tx, ty]))
     rows = map (map ($ e)) [[rr, r1, rx, ry], [r1, n1, nx, ny], [rx, nx, xx, xy], [ry, ny, xy, yy]]
-    -- Where nothing that touches tells one of them, it is 0.
+    -- Ridge: a parameter that no touching taxel determines becomes 0.
     ridged m =
       [ [if i == j then v + 1e-6 else v | (j, v) <- zip [0 ..] row]
         | (i, row) <- zip [0 :: Int ..] m

@@ -1,7 +1,7 @@
 {-# OPTIONS_HADDOCK hide #-}
 
--- | How probable a displacement is, and which is the most probable: correlation as evidence, the
--- robot's accuracy as prior.
+-- | The posterior of a displacement: correlation gives the likelihood, the robot's accuracy the
+-- prior.
 module PraTactile.Registration.Correlation
   ( -- * Probability of a displacement
     logLikelihood,
@@ -19,14 +19,14 @@ import PraTactile.Image.Correlate (Overlap (..))
 import PraTactile.Registration.Model (normalLog)
 import PraTactile.Registration.Settings (Registration (..))
 
--- | The log-likelihood ratio of an overlap whose image and reference show the same relief to one
--- whose have nothing in common. It is the profile likelihood of n pairs of normal values with
--- correlation rho, -(n/2) ln (1 - rho^2), for rho > 0, else 0: n times the mutual information of
--- two normal variables with that correlation.
+-- | The log-likelihood ratio of an overlap: image and reference show one relief, or have nothing in
+-- common. It is the profile likelihood of n pairs of normal values with correlation rho: -(n/2) ln
+-- (1 - rho^2) for rho > 0, else 0. That is n times the mutual information of two normal variables
+-- with that correlation.
 --
--- In rho both variances are enlarged by the given variance of the noise. So the accidental
--- correlations of two blank patches, of which the largest among some seventy displacements would
--- look telling, say next to nothing, and the prior decides.
+-- The given noise variance enlarges both variances in rho. Two blank patches then have next to no
+-- likelihood ratio, and the prior decides. Without it, the largest chance correlation among some
+-- seventy displacements would look significant.
 logLikelihood :: Double -> Overlap -> Double
 logLikelihood noise (Overlap n vf vc cov)
   | n <= 0 || cov <= 0 || vf + noise <= 1e-12 || vc + noise <= 1e-12 = 0
@@ -42,19 +42,19 @@ data Prior = Prior
   }
   deriving stock (Eq, Show)
 
--- | The logarithm of a displacement's prior probability density, up to a constant.
+-- | Log prior density of a displacement, up to a constant.
 logPrior :: Prior -> Taxels -> Double
 logPrior (Prior (mx, my) variance) (x, y) = normalLog variance (squared (x - mx) + squared (y - my))
   where
     squared t = t * t
 
--- | The most probable displacement by the overlap at each and the prior: the best of those whole
--- taxels from the start, no further than the radius, and then the best a half, a quarter and an
--- eighth of a taxel from there, along x and then along y.
+-- | The most probable displacement, given the overlap at each displacement, the prior, the radius
+-- and the start. It is the best whole-taxel displacement within the radius of the start. Then it is
+-- refined by a half, a quarter and an eighth of a taxel, along x and then along y.
 --
--- An overlap counts for no more pixels than the one at the start. The likelihood takes each pixel
--- that leaves the overlap for one that chance must explain, but neighbouring pixels of relief
--- resemble each other, and to reward a larger overlap would draw smooth images together.
+-- An overlap counts for at most as many pixels as the one at the start. The likelihood takes every
+-- pixel of an overlap for independent evidence, but neighbouring pixels of relief resemble each
+-- other. To reward a larger overlap would draw smooth images together.
 mostProbable :: Registration -> (Taxels -> Overlap) -> Prior -> Double -> Taxels -> Taxels
 mostProbable settings overlapOf prior radius start = snd (foldl' refined coarse steps)
   where
@@ -67,7 +67,7 @@ mostProbable settings overlapOf prior radius start = snd (foldl' refined coarse 
     best = foldl' (\found shift -> better found (scored shift))
     better a b = if fst b > fst a then b else a
     scored shift = (logLikelihood noise (capped (overlapOf shift)) + logPrior prior shift, shift)
-    -- More than 0 for a sensor without noise, so that rounding errors on flat images say nothing.
+    -- Above 0 even for a sensor without noise, so that rounding errors on flat images do not count.
     noise = max 1e-9 (registrationNoise settings * registrationNoise settings)
     capped overlap = overlap {overlapWeight = min most (overlapWeight overlap)}
     most = overlapWeight (overlapOf start)

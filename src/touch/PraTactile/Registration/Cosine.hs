@@ -23,10 +23,10 @@ import PraTactile.Registration.Loops
 import PraTactile.Registration.Numbers (highest)
 
 -- | By length, the cosines of each frequency at the first half of the places, frequency by
--- frequency: the other half mirrors them, with the sign of the frequency's parity.
+-- frequency. The other half mirrors them, with the sign of the frequency's parity.
 newtype Cosines = Cosines (Boxed.Vector (Vector Double))
 
--- | The cosines for lengths up to that one; each is made when it is first looked at.
+-- | The cosines for lengths up to the given one; each is computed on first use.
 cosinesUpTo :: Int -> Cosines
 cosinesUpTo longest = Cosines (Boxed.generate (longest + 1) halves)
   where
@@ -39,24 +39,25 @@ cosinesUpTo longest = Cosines (Boxed.generate (longest + 1) halves)
 halfOf :: Int -> Int
 halfOf n = (n + 1) `quot` 2
 
--- | The coefficients of a whole image, row by row, at most 'highest' a side, without the first, the
--- mean. The cosines must reach to its longer side.
+-- | The coefficients of a whole image, row by row, at most 'highest' a side, without the mean's.
+-- The cosines must reach to the image's longer side.
 cosineTransform :: Cosines -> Raster -> Vector Double
 cosineTransform known image =
   patchTransform known (strip known image 0 (rasterWidth image)) 0 (rasterHeight image)
 
--- | Some columns of an image, each row transformed: how many frequencies each has, and these.
+-- | Some columns of an image with each row transformed: the number of frequencies, and the
+-- coefficients row by row.
 data Strip = Strip !Int !(Vector Double)
 
--- | The columns of an image from one on, so many.
+-- | Transforms the rows of an image within some columns, given the first column and the width.
 strip :: Cosines -> Raster -> Int -> Int -> Strip
 strip known image from width =
   Strip (min highest width) (halved known width (rasterHeight image) place (rasterValues image))
   where
     place row t = row * rasterWidth image + from + t
 
--- | The coefficients of the rows of a strip from one on, so many: row by row, at most 'highest' a
--- side, without the first.
+-- | The coefficients of a patch: some rows of a strip, given the first row and the height. They
+-- come row by row, at most 'highest' a side, without the mean's.
 patchTransform :: Cosines -> Strip -> Int -> Int -> Vector Double
 patchTransform known (Strip across rows) from height =
   V.generate (V.length columns - 1) (\i -> turned (i + 1))
@@ -64,18 +65,18 @@ patchTransform known (Strip across rows) from height =
     columns = halved known height across place rows
     place column t = (from + t) * across + column
     down = min highest height
-    -- The columns' transforms stand column by column.
+    -- The columns' transforms are stored column by column.
     turned i = let (v, u) = i `quotRem` across in V.unsafeIndex columns (u * down + v)
 
--- | The one-dimensional transforms of so many lines of that length, line by line, given where in
--- the values each line has its elements.
+-- | The one-dimensional transforms of count lines of n values, line by line. The function gives the
+-- index of a line's element among the values.
 halved :: Cosines -> Int -> Int -> (Int -> Int -> Int) -> Vector Double -> Vector Double
 halved (Cosines known) n count place values = V.generate (count * frequencies) coefficient
   where
     frequencies = min highest n
     half = halfOf n
     cosines = known Boxed.! n
-    -- The sums of what lies alike far from both ends, and the differences; the middle stands alone.
+    -- Sums and differences of the values equally far from both ends; the middle one stands alone.
     sums = V.generate (count * half) (both (+))
     differences = V.generate (count * half) (both (-))
     both join i
@@ -93,7 +94,6 @@ halved (Cosines known) n count place values = V.generate (count * frequencies) c
         folded = if even u then sums else differences
 {-# INLINE halved #-}
 
-{- Note [Bounds] Strips and patches lie within their images, which is what 'strip' and
-   'patchTransform' ask for, so that place is an index of the values. A line has half elements in
-   the sums and in the differences, and a frequency as many cosines; u < frequencies, and line <
-   count. -}
+{- Note [Bounds] Strips and patches must lie within their images ('strip', 'patchTransform'), so
+   that place is an index of the values. A line has half elements in the sums and in the
+   differences, and a frequency as many cosines; u < frequencies, and line < count. -}

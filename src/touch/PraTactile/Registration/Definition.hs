@@ -1,8 +1,8 @@
 {-# OPTIONS_HADDOCK hide #-}
 
--- | Registration by its formulas alone: every symbol drawn at every place, every phase, class and
--- displacement summed, on lists and maps. Too slow to use, for a few small frames; the tests hold
--- the stages to it.
+-- | Registration straight from its formulas, on lists and maps. It draws every symbol at every
+-- place, and sums over every phase, class and displacement. It is slow: use it for a few small
+-- frames. The tests compare the fast stages with it.
 module PraTactile.Registration.Definition
   ( -- * One frame
     Drawings,
@@ -49,22 +49,21 @@ import PraTactile.Registration.Model (Theta (..))
 import PraTactile.Registration.Posterior (Hypothesis (..))
 import PraTactile.Shape (Alphabet, embossedAt, halfTurned, shapes)
 
--- | Of a frame and a symbol at a place: the sum of their products, that of what the symbol brings
--- to the frame's taxels, and that of its squares.
+-- | Sums over a frame's taxels for a frame z and a symbol T at a place: of z T, of T and of T^2.
 type Moments = (Double, Double, Double)
 
--- | By orientation, row and column of places from the centre of the frame's upper left taxel, the
--- moments of each class there.
+-- | The moments of each class by orientation, row and column of its place. Places count from the
+-- centre of the frame's upper left taxel.
 type Felt = Map.Map (Int, Int, Int) [Moments]
 
--- | Every symbol drawn at every place from which it is felt, so many places to the taxel (one or
--- two), on a frame along whose axes they lie.
+-- | The moments of every symbol at every place from which it is felt, with q places per taxel (1 or
+-- 2). Symbols lie along the frame's axes.
 drawn :: Drawings -> Int -> Raster -> Felt
 drawn (Drawings byOrientation) q image =
   Map.fromList
     [ ((o, y, x), [momentsAt shape y x | shape <- shapes'])
       | (o, shapes') <- zip [0 ..] byOrientation,
-        -- A symbol's 8 x 12 taxels count up to two taxels around them.
+        -- A symbol's 8 x 12 taxels are felt up to two taxels around them.
         y <- [-14 * q .. (h + 2) * q - 1],
         x <- [-10 * q .. (w + 2) * q - 1]
     ]
@@ -81,12 +80,12 @@ drawn (Drawings byOrientation) q image =
           halves k = 2 * k `div` q
        in ( sum [t * z | (t, z) <- readings],
             sum (map fst readings),
-            -- Less than a hundredth counts for nothing.
+            -- A reading below a hundredth is left out.
             sum [t * t | (t, _) <- readings, t > 0.01]
           )
 
--- | What a symbol brings to a taxel that lies so many half taxels right and down of its upper left
--- one, by orientation and class.
+-- | By orientation and class: what a taxel reads of a symbol. The taxel's place is in half taxels,
+-- right and down of the symbol's upper left taxel.
 newtype Drawings = Drawings [[Int -> Int -> Double]]
 
 -- | The drawings of an alphabet's symbols.
@@ -111,8 +110,8 @@ drawings known = Drawings [map drawing upright, map (drawing . halfTurned) uprig
                 x <- [-8 .. 2 * 8 + 7]
             ]
 
--- | The share of a unit taxel, blurred by a normal distribution of deviation 0.75, so many half
--- taxels from its centre, less than six: Simpson's rule on the density.
+-- | Reading of one embossed taxel at n half taxels from its centre, blurred with a standard
+-- deviation of 0.75 taxels. It is 0 from six half taxels on. The integral is by Simpson's rule.
 blurred :: Int -> Double
 blurred n
   | abs n >= 6 = 0
@@ -123,7 +122,7 @@ blurred n
     simpson = 1 : concat (replicate 19 [4, 2]) ++ [4, 1]
     normal d = exp (-(d * d) / (2 * 0.75 * 0.75)) / sqrt (2 * pi * 0.75 * 0.75)
 
--- | A frame's readings, to mean 0 and variance 1.
+-- | Scales a frame's readings to mean 0 and variance 1.
 standardised :: Raster -> Raster
 standardised image = mapRaster (\v -> (v - average) / sqrt (sum (map squared values) / n)) image
   where
@@ -132,8 +131,8 @@ standardised image = mapRaster (\v -> (v - average) / sqrt (sum (map squared val
     average = sum values / n
     squared v = (v - average) * (v - average)
 
--- | Where the steps begin: the noise from the second differences, of which that of white noise has
--- four times the variance, and the gain and the offset as they are usual of symbols.
+-- | Starting point of EM. The noise comes from second differences, whose variance is four times
+-- that of white noise. The gain and the offset are usual for symbols.
 firstTheta :: Raster -> Theta
 firstTheta image = Theta gain (-0.15 * gain) noise
   where
@@ -148,32 +147,33 @@ firstTheta image = Theta gain (-0.15 * gain) noise
     noise = max 0.001 (min 0.95 (squares / (4 * fromIntegral (length differences))))
     gain = sqrt (max 0.02 (1 - noise)) / 0.36
 
--- | l_k at each place.
+-- | l_k of every class at each place.
 classLogsOf :: Theta -> Felt -> Map.Map (Int, Int, Int) [Double]
 classLogsOf (Theta a b v) = fmap (map (\(y, s, q) -> (a * y - a * b * s - a * a * q / 2) / v))
 
--- | l from l_k.
+-- | l of a cell, classes summed, from l_k.
 cellLogOf :: [Double] -> Double
 cellLogOf ls = logSum ((log 0.01, 0) : [(log (0.99 / fromIntegral (length ls)), l) | l <- ls])
   where
     logSum terms = let top = maximum (map snd terms) in top + log (sum (map (from top) terms))
     from top (p, l) = exp (p + l - top)
 
--- | L of each phase: a phase is its cells, which lie a pitch of 16 x 20 taxels apart.
+-- | L of each phase, with q places per taxel. The cells of a phase lie 16 x 20 taxels apart.
 phaseLogsOf :: Int -> Map.Map (Int, Int, Int) [Double] -> Map.Map (Int, Int, Int) Double
 phaseLogsOf q = Map.mapKeysWith (+) (phaseOf q) . fmap cellLogOf
 
 phaseOf :: Int -> (Int, Int, Int) -> (Int, Int, Int)
 phaseOf q (o, y, x) = (o, y `mod` (20 * q), x `mod` (16 * q))
 
--- | log p(z) of a frame of so many taxels, from its phases, given how many there are of these.
+-- | log p(z) of a frame of n taxels, from theta, the number of all phases, and L of those summed.
 density :: Double -> Theta -> Int -> [Double] -> Double
 density n (Theta _ b v) count phases =
   logMean phases + log (fromIntegral (length phases) / fromIntegral count)
     - n * (1 + b * b) / (2 * v)
     - n / 2 * log (2 * pi * v)
 
--- | One step of expectation and maximisation on a frame of so many taxels, over phases that count.
+-- | One EM step on a frame of n taxels, over the phases that the predicate accepts; q places per
+-- taxel.
 mStep :: Int -> Double -> ((Int, Int, Int) -> Bool) -> Felt -> Theta -> Theta
 mStep q n counts felt theta@(Theta a b _) = Theta a' b' v'
   where
@@ -199,29 +199,29 @@ mStep q n counts felt theta@(Theta a b _) = Theta a' b' v'
     b' = if varying > 1e-6 then -a' * s' / n else b
     v' = max 0.002 ((n * (1 + b' * b') - 2 * a' * (y' - b' * s') + a' * a' * q') / n)
 
--- | A frame's nominal place, in taxels, and what it tells at half taxels: L and l_k.
+-- | A frame's nominal place, in taxels, and its log-likelihoods at half taxels: L and l_k.
 data Seen = Seen
   { seenPlace :: !(Double, Double),
     seenPhases :: !(Map.Map (Int, Int, Int) Double),
     seenClasses :: !(Map.Map (Int, Int, Int) [Double])
   }
 
--- | The grid point nearest to a place, in half taxels, and how far the place lies beyond it.
+-- | The grid point nearest to a coordinate, in half taxels, and the coordinate's offset from it.
 nearest :: Double -> (Int, Double)
 nearest x = let n = round (2 * x) in (n, 2 * x - fromIntegral n)
 
--- | The robot's error: the least and the greatest standard deviation that it may have, in taxels,
--- and how many half taxels a displacement may be.
+-- | The robot's error: the least and the greatest standard deviation, in taxels, and the largest
+-- displacement, in half taxels.
 data Robot = Robot !(Double, Double) !Int
 
--- | So many standard deviations an octave, in half taxels.
+-- | Values of sigma in half taxels, n per octave.
 sigmas :: Int -> Robot -> [Double]
 sigmas n (Robot (least, most) _) =
   takeWhile
     (<= 2 * most * 1.001)
     [2 * least * 2 ** (fromIntegral k / fromIntegral n) | k <- [0 :: Int ..]]
 
--- | The squares of displacements, by half taxels from the grid point nearest to a place.
+-- | Squared distance from a nominal place, by half taxels from the grid point nearest to it.
 squaresAt :: Robot -> (Double, Double) -> Map.Map (Int, Int) Double
 squaresAt (Robot _ reach) (px, py) =
   Map.fromList
@@ -233,14 +233,14 @@ squaresAt (Robot _ reach) (px, py) =
     off p d = fromIntegral d - snd (nearest p)
     squared t = t * t :: Double
 
--- | log pi, given sigma, from the square of a displacement: half taxels.
+-- | log pi, given sigma, from the square of a displacement, all in half taxels.
 logPi :: Double -> Double -> Double
 logPi sigma square = -square / (2 * v) - log (2 * pi * v)
   where
     v = sigma * sigma + 1 / 12
 
--- | The phase under all frames that they make likeliest, by half taxels from the origin of their
--- places: over one standard deviation an octave.
+-- | The phase that all frames together make likeliest, in half taxels from the origin of their
+-- places. Sigma takes one value per octave.
 commonPhase :: Robot -> [Seen] -> (Int, Int, Int)
 commonPhase robot frames =
   maximumBy (comparing (\phase -> logMean [sum (map ($ phase) told) | told <- bySigma])) all'
@@ -259,9 +259,9 @@ onFrame ::
 onFrame phases (px, py) (dx, dy) (o, y, x) =
   Map.findWithDefault 0 (phaseOf 2 (o, y - fst (nearest py) - dy, x - fst (nearest px) - dx)) phases
 
--- | The displacements that are less likely than a frame's best by itself by at most this, as a
--- logarithm: each with its square, and, by row and column from the phase's first, the l_k of the
--- cells that the frame sees.
+-- | The displacements whose log-probability by the frame alone is within the margin of the best.
+-- Each comes with its square and with l_k of the cells that the frame sees. Cells are numbered by
+-- row and column from the phase's first.
 likely ::
   Double -> Robot -> (Int, Int, Int) -> Seen -> [((Int, Int), Double, Map.Map (Int, Int) [Double])]
 likely margin robot phase@(o, y0, x0) (Seen place@(px, py) phases classes) =
@@ -282,7 +282,7 @@ likely margin robot phase@(o, y0, x0) (Seen place@(px, py) phases classes) =
             i `mod` 40 == 0 && j `mod` 32 == 0
         ]
 
--- | q_f of each frame, over its displacements, and q of these sigma.
+-- | q_f of each frame over its displacements, and the posterior of the given values of sigma.
 meanField ::
   Ord cell => [Double] -> [[(d, Double, Map.Map cell [Double])]] -> ([[Double]], [Double])
 meanField bySigma frames = (qs', shares (robot (const True) qs'))
@@ -302,7 +302,7 @@ meanField bySigma frames = (qs', shares (robot (const True) qs'))
       [ shares (map (given (robot (/= k) qs) (`Map.lookup` others k qs)) told)
         | (k, told) <- zip [0 :: Int ..] frames
       ]
-    -- What some frames make of sigma.
+    -- Log-likelihood of each sigma by the frames that the predicate accepts.
     robot which qs =
       [ sum
           [ p * logPi sigma square
@@ -322,9 +322,8 @@ meanField bySigma frames = (qs', shares (robot (const True) qs'))
             p > 0.02
         ]
 
--- | log P of what frames show, up to a constant for each, from the displacements that each may
--- have: over all of these and all sigma, if each shows with probability delta something of its own
--- in a cell.
+-- | log P of what all frames show, up to a constant for each: the exact sum over their
+-- displacements and over sigma. A frame is an outlier in a cell with probability delta.
 togetherLog :: Ord cell => [Double] -> [[(d, Double, Map.Map cell [Double])]] -> Double
 togetherLog bySigma frames =
   logOfSum
@@ -344,12 +343,12 @@ togetherLog bySigma frames =
         each ls = [(l, ls) | l <- 0 : ls]
         classes = fromIntegral (maximum (map length told))
 
--- | The logarithm of the sum of exponentials.
+-- | Log-sum-exp.
 logOfSum :: [Double] -> Double
 logOfSum ls = let top = maximum ls in top + log (sum [exp (l - top) | l <- ls])
 
--- | The logarithm of how much likelier a cell is than nothing there, from l_k of one frame and what
--- the others expect of it.
+-- | Log-likelihood ratio of a cell to an empty one, from the others' expected l_k, if any see it,
+-- and l_k of one frame.
 cellGiven :: Maybe [Double] -> [Double] -> Double
 cellGiven others mine = top + log (sum (zipWith (\m l -> m * exp (l - top)) mixed (0 : mine)))
   where
@@ -358,9 +357,10 @@ cellGiven others mine = top + log (sum (zipWith (\m l -> m * exp (l - top)) mixe
     mixed = zipWith (\p m -> 1e-3 * p + (1 - 1e-3) * m) prior known
     top = maximum (0 : mine)
 
--- | Where a frame is, from its nominal place and its displacements in half taxels from the grid
--- point nearest to that: the mean of the 3 x 3 that hold most, the first of equals, to an eighth of
--- a taxel; the deviations, with that of a grid's cell; what they hold; and others.
+-- | The estimate of a frame from its nominal place and the probabilities of its displacements, in
+-- half taxels from the grid point nearest to that place. It is the mean of the 3 x 3 displacements
+-- that hold most probability, the first of equals, to an eighth of a taxel. Standard deviations
+-- include that of a grid cell. At most two alternatives follow.
 estimate :: (Double, Double) -> [((Int, Int), Double)] -> Estimate
 estimate (px, py) options =
   Estimate
@@ -391,8 +391,8 @@ estimate (px, py) options =
         d : rest -> d : apart (exact d : taken) rest
         [] -> []
 
--- | The probabilities of displacements of one frame against another, in half taxels, given the
--- logarithm of the prior of each and l_k of both frames: over all phases, the classes of each cell.
+-- | Posterior of the second frame's displacements against the first, in half taxels. Given are the
+-- log prior of each and l_k of both frames. All phases and the classes of each cell are summed.
 pairPosterior ::
   [((Int, Int), Double)] ->
   Map.Map (Int, Int, Int) [Double] ->
@@ -408,12 +408,12 @@ pairPosterior displacements a b = map (/ sum weights) weights
     top = maximum (map maximum logs)
     weights = [sum [exp (l - top) | l <- some] | some <- logs]
 
--- | The logarithm of the mean of numbers, from their logarithms.
+-- | Log of the mean of numbers given by their logarithms.
 logMean :: [Double] -> Double
 logMean logs = top + log (sum [exp (l - top) | l <- logs] / fromIntegral (length logs))
   where
     top = maximum logs
 
--- | Probabilities, from logarithms of what they are proportional to.
+-- | Normalises log weights to probabilities.
 shares :: [Double] -> [Double]
 shares logs = let weights = map (exp . subtract (maximum logs)) logs in map (/ sum weights) weights

@@ -1,7 +1,7 @@
 {-# LANGUAGE BangPatterns #-}
 {-# OPTIONS_HADDOCK hide #-}
 
--- | Where a frame was found, and where else it may be.
+-- | The estimated displacement of a frame, with alternatives.
 module PraTactile.Registration.Estimate
   ( Estimate (..),
     estimateAt,
@@ -18,25 +18,25 @@ import PraTactile.Registration.Model (eighth)
 import PraTactile.Registration.Numbers (leastOther, tolerance)
 import PraTactile.Registration.Posterior (Hypothesis (..))
 
--- | Where a frame was found.
+-- | The estimated displacement of a frame.
 data Estimate = Estimate
   { -- | Its displacement from its nominal place, taxels right and down.
     estimateShift :: !Taxels,
-    -- | The standard deviations, taxels.
+    -- | Its standard deviations, taxels.
     estimateDeviation :: !Taxels,
     -- | The probability that it is within 'tolerance' of the truth on both axes.
     estimateProbability :: !Double,
-    -- | Displacements that it may have instead, at least two taxels away, with their probabilities,
-    -- the most probable first: at most two, each of at least a thousandth.
+    -- | At most two alternative displacements, at least two taxels away, each of a probability of
+    -- at least 'leastOther', the most probable first.
     estimateOthers :: [Hypothesis],
-    -- | These displacements on the grid that the frame's are on, where it has one.
+    -- | The alternatives on the grid of the frame's displacements, if it has one.
     estimateElsewhere :: [(Int, Int)]
   }
   deriving stock (Eq, Show)
 
--- | Where a frame is, given how far its nominal place lies beyond its grid point (steps), and its
--- displacements on the grid with their probabilities: the mean of those within 'tolerance' of the
--- likeliest. There must be some displacements.
+-- | The estimate of a frame from its grid displacements with their probabilities, of which there
+-- must be some. The offset of its nominal place from the grid point is in steps. The estimate is
+-- the mean of the displacements within 'tolerance' of the best.
 estimateAt :: Grid -> (Double, Double) -> [((Int, Int), Double)] -> Estimate
 estimateAt grid (rx, ry) options =
   Estimate
@@ -76,7 +76,7 @@ estimateAt grid (rx, ry) options =
         sum [p * squared (fromIntegral (part d) - mean) | (d, p) <- Map.toList masses] + 1 / 12
     squared !t = t * t
 
--- | An estimate with all its displacements moved.
+-- | Moves an estimate and its alternatives.
 moveBy :: Taxels -> Estimate -> Estimate
 moveBy by l =
   l
@@ -84,8 +84,8 @@ moveBy by l =
       estimateOthers = [h {hypothesisShift = hypothesisShift h `plus` by} | h <- estimateOthers l]
     }
 
--- | Estimates whose displacements have mean 0, since a shift common to all frames cannot be seen;
--- and that shift, to an eighth of a taxel.
+-- | Moves estimates so that their mean is 0, since a common shift is unobservable. Also gives the
+-- mean, to an eighth of a taxel.
 centred :: [Estimate] -> ([Estimate], Taxels)
 centred estimates = (map (moveBy (negate x, negate y)) estimates, common)
   where

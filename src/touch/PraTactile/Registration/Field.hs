@@ -1,13 +1,13 @@
 {-# LANGUAGE BangPatterns #-}
 {-# OPTIONS_HADDOCK hide #-}
 
--- | The mean field of "PraTactile.Registration.Model" over frames, whatever the factors are: the
--- grid of displacements, their prior by the robot's error sigma, what displacements tell of sigma,
--- and the sweeps. "PraTactile.Registration.Field.Cells" has the factors of a lattice's cells,
+-- | The mean field of "PraTactile.Registration.Model" over frames, for factors of any kind. It has
+-- the grid of displacements, their prior by the robot's error sigma, the posterior of sigma, and
+-- the sweeps. "PraTactile.Registration.Field.Cells" has the factors of a lattice's cells,
 -- "PraTactile.Registration.Field.Pairs" those of pairs of frames.
 --
--- With t the expected square of a displacement, and n and S the number and the sum of the squares
--- that the other frames have:
+-- With t the square of a displacement, and n and S the number and the sum of the other frames'
+-- expected squares:
 --
 -- > v(sigma)  = sigma^2 + 1 / 12                     in square steps of the grid
 -- > s(sigma)  ~ exp (- S / (2 v)) / v^n
@@ -49,21 +49,20 @@ data Grid = Grid
     gridPerTaxel :: !Int,
     -- | The greatest displacement along an axis, steps.
     gridReach :: !Int,
-    -- | The values of sigma, steps, ascending: equally probable, 'sigmasPerOctave' to each
-    -- doubling.
+    -- | The values of sigma, steps, ascending and equally probable, 'sigmasPerOctave' per octave.
     gridSigmas :: ![Double]
   }
 
--- | The grid of a lattice: half taxels, as far as the user lets frames be looked for.
+-- | The grid for a lattice: half taxels, as far as the settings have frames searched.
 latticeGrid :: Registration -> Grid
 latticeGrid settings = gridFor placesPerTaxel 2 64 (registrationReach settings) settings
 
--- | The grid of pairs: whole taxels, up to three standard deviations.
+-- | The grid for pairs: whole taxels, up to three standard deviations.
 pairsGrid :: Registration -> Grid
 pairsGrid = gridFor 1 1 mostReach 3
 
--- | A grid of this many steps to the taxel, which reaches from the least to the most steps: as many
--- of the largest sigma as given.
+-- | A grid with the given steps per taxel. It reaches to a multiple (deviations) of the largest
+-- sigma, limited to the least and the most steps.
 gridFor :: Int -> Int -> Int -> Double -> Registration -> Grid
 gridFor perTaxel least most deviations settings =
   Grid
@@ -76,7 +75,7 @@ gridFor perTaxel least most deviations settings =
     steps = fromIntegral perTaxel
     (smallest, largest) = sigmasFor settings
 
--- | The grid point nearest to a place in taxels, and how far the place lies beyond it, steps.
+-- | The grid point nearest to a place in taxels, and the place's offset from it, steps.
 onGrid :: Grid -> Taxels -> ((Int, Int), (Double, Double))
 onGrid grid (x, y) = ((round x', round y'), (x' - whole x', y' - whole y'))
   where
@@ -84,11 +83,11 @@ onGrid grid (x, y) = ((round x', round y'), (x' - whole x', y' - whole y'))
     steps = fromIntegral (gridPerTaxel grid)
     whole t = fromIntegral (round t :: Int)
 
--- | Taxels from steps.
+-- | Converts steps to taxels.
 inTaxels :: Grid -> Double -> Double
 inTaxels grid t = t / fromIntegral (gridPerTaxel grid)
 
--- | One standard deviation to an octave, steps.
+-- | One value of sigma per octave, steps.
 gridOctaves :: Grid -> [Double]
 gridOctaves = every . gridSigmas
   where
@@ -96,13 +95,14 @@ gridOctaves = every . gridSigmas
       sigma : rest -> sigma : every (drop (sigmasPerOctave - 1) rest)
       [] -> []
 
--- | v(sigma): the variance of the robot's error along an axis, and that of a place within its step.
+-- | v(sigma): the variance of the robot's error along an axis, plus that of a place within its
+-- step.
 displacementVariance :: Double -> Double
 displacementVariance sigma = sigma * sigma + 1 / 12
 
--- | pi_sigma along an axis, of the displacements from @-gridReach@ to @gridReach@, of a place that
--- lies @beyond@ its grid point. Each follows from its neighbour by a ratio, which shrinks by one
--- factor from step to step.
+-- | pi_sigma along an axis for the displacements from @-gridReach@ to @gridReach@, given sigma and
+-- the place's offset from its grid point. Each value follows from its neighbour by a ratio, which
+-- shrinks by a constant factor.
 priorsAlong :: Grid -> Double -> Double -> Vector Double
 priorsAlong grid sigma beyond = V.reverse (V.drop 1 (outward (negate beyond))) <> outward beyond
   where
@@ -116,8 +116,8 @@ priorsAlong grid sigma beyond = V.reverse (V.drop 1 (outward (negate beyond))) <
     shrink = exp (normalLog v 2)
     v = displacementVariance sigma
 
--- | What displacements tell of sigma: their number n, and the sum S of their expected squares,
--- square steps.
+-- | The statistics of sigma: the number n of displacements, and the sum S of their expected
+-- squares, square steps.
 data Squares = Squares !Double !Double
 
 instance Semigroup Squares where
@@ -143,8 +143,8 @@ likelySigma :: Grid -> Squares -> Double
 likelySigma grid told =
   inTaxels grid (exp (sum (zipWith (*) (sigmaShares grid told) (map log (gridSigmas grid)))))
 
--- | The log prior of a displacement, up to a constant, given what the others tell of sigma; from
--- its square t.
+-- | The log prior of a displacement, up to a constant, from its square t and the other frames'
+-- statistics of sigma.
 displacementLog :: Grid -> Squares -> Double -> Double
 displacementLog grid others = \t ->
   log (max 1e-300 (V.sum (V.zipWith (\w r -> w * exp (negate r * t)) weights rates)))
@@ -153,7 +153,8 @@ displacementLog grid others = \t ->
     !rates = V.fromList [1 / (2 * v) | v <- variances]
     variances = map displacementVariance (gridSigmas grid)
 
--- | Sweeps until one leaves the likeliest displacements as they are, but at most this many.
+-- | Repeats a sweep until the likeliest displacements stay as they are, but at most the given
+-- number of times.
 settled :: Eq b => Int -> (field -> b) -> (field -> field) -> field -> field
 settled sweeps likeliest sweep = go sweeps
   where
@@ -163,7 +164,7 @@ settled sweeps likeliest sweep = go sweeps
       where
         new = sweep now
 
--- | Probabilities, from logarithms of what they are proportional to.
+-- | Normalises log weights to probabilities.
 normalised :: [(d, Double)] -> [(d, Double)]
 normalised scored = [(d, exp (s - top) / total) | (d, s) <- scored]
   where

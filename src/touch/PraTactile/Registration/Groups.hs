@@ -15,9 +15,9 @@ import PraTactile.Composite.Blend (Taxels, minus)
 import PraTactile.Image (Raster, rasterHeight, rasterWidth)
 import PraTactile.Registration.Neighbours
 
--- | For each image, at its place in taxels, its group: images that overlap, directly or through
--- others, are of one group. Groups are numbered from 0 as they come. Linear in the images, however
--- many overlap.
+-- | The group of each image, given their places in taxels: images that overlap, directly or through
+-- others. Groups are numbered from 0 in order. The cost is linear in the images, however many
+-- overlap.
 groupsOf :: [(Taxels, Raster)] -> [Int]
 groupsOf placed =
   IntMap.elems . IntMap.fromList $
@@ -26,15 +26,15 @@ groupsOf placed =
         k <- component
     ]
   where
-    -- Two images in one square overlap, however many there are.
+    -- Squares are so narrow that two images in one square always overlap.
     narrowest = minimum (maxBound : concat [[rasterWidth i, rasterHeight i] | (_, i) <- placed])
     index =
       indexed
         (fromIntegral narrowest)
         [(place, (k, (place, image))) | (k, (place, image)) <- zip [0 ..] placed]
     reach = ceiling (widest (map snd placed) / fromIntegral narrowest)
-    -- Pairs that overlap, as many as join all that do: each image of a square with its first, and
-    -- one pair of two squares.
+    -- Enough pairs to join all images that overlap: each image with the first of its square, and
+    -- one pair for two squares.
     enough =
       [(k, l) | (k, _) : others <- Map.elems (indexFrames index), (l, _) <- others]
         ++ [ pair
@@ -45,7 +45,7 @@ groupsOf placed =
            ]
     overlap (place, a) (place', b) = overlapShare a b (place' `minus` place) > 0
 
--- | The groups of this many things, by their numbers from 0, that pairs of them join, directly or
--- through others. The least of each group is its first, and groups come in the order of these.
+-- | The connected components of count things, numbered from 0, that the pairs join. Each component
+-- begins with its least member, and components come in the order of these.
 joinedBy :: Int -> [(Int, Int)] -> [[Int]]
 joinedBy count pairs = map toList (components (buildG (0, count - 1) pairs))

@@ -1,12 +1,11 @@
 {-# OPTIONS_HADDOCK hide #-}
 
--- | The paper's registration, which others are compared with: "a composite tactile image is
+-- | The paper's registration, with which other methods are compared: "a composite tactile image is
 -- assembled incrementally from a sequence of overlapping tactile probe images. A 2-D
 -- cross-correlation algorithm is used to correct the misalignment errors" (section IV).
 --
--- One step puts a frame where it is most probable beside the other frames of the composite. The
--- composite grows by one frame after the other, from the most telling one on. Then sweeps put each
--- frame again.
+-- One step puts a frame at its most probable displacement beside the composite's other frames. The
+-- composite grows frame by frame, the most informative first. Then sweeps put each frame again.
 module PraTactile.Registration.Incremental
   ( register,
     comparisons,
@@ -34,18 +33,18 @@ data Tile = Tile
     tileImage :: !Raster
   }
 
--- | The displacements of the frames that are in a composite, by their numbers, and their sum.
+-- | The displacements of the composite's frames, by number, and their sum.
 data Shifts = Shifts
   { shiftsByNumber :: !(IntMap Taxels),
     shiftsSum :: !Taxels
   }
 
--- | Where a frame is looked for: as far as the robot may err, or one taxel from where it was.
+-- | The search range of a frame: the robot's error, or one taxel around its last place.
 data Search = Everywhere | Nearby
 
 -- | The displacement of each image, x and y in taxels, given the nominal places (taxels) of the
--- images' upper left pixels. Their mean is zero, to a sixteenth of a taxel, since a shift common to
--- all frames cannot be seen.
+-- images' upper left pixels. Their mean is zero, to a sixteenth of a taxel, since a common shift is
+-- unobservable.
 register :: Registration -> [(Taxels, Raster)] -> [Taxels]
 register settings images = map (`minus` (eighth x, eighth y)) (IntMap.elems (shiftsByNumber found))
   where
@@ -61,7 +60,7 @@ register settings images = map (`minus` (eighth x, eighth y)) (IntMap.elems (shi
     settled _ composite = composite
     (x, y) = meanShift found
 
--- | How many pixels 'register' compares at most to have compared each image once with the others
+-- | The most pixels in which 'register' compares images until each was compared once with those
 -- around it.
 comparisons :: Registration -> [(Taxels, Raster)] -> Int
 comparisons settings images =
@@ -73,14 +72,14 @@ comparisons settings images =
     index = indexWithin settings (zipWith (uncurry . Tile) [0 ..] images)
     pixels image = rasterWidth image * rasterHeight image
 
--- | Frames in squares so wide that those that may come to touch are in neighbouring ones.
+-- | Puts frames in squares so wide that frames which may come to touch are in neighbouring ones.
 indexWithin :: Registration -> [Tile] -> Index Tile
 indexWithin settings frames =
   indexed
     (widest (map tileImage frames) + 2 * sqrt 2 * searchRadius settings)
     [(tilePlace f, f) | f <- frames]
 
--- | The other frames that may come to touch one.
+-- | The other frames that may come to touch the given one.
 beside :: Index Tile -> Tile -> [Tile]
 beside index frame = filter ((/= tileNumber frame) . tileNumber) (concatMap snd found)
   where
@@ -92,9 +91,9 @@ meanShift (Shifts shifts (x, y)) = (x / count, y / count)
   where
     count = fromIntegral (max 1 (IntMap.size shifts))
 
--- | The frames in the order of growth: next is the one whose nominal overlaps with those before it
--- tell most; of equals, the one whose overlaps with all do; of equals, the first. An overlap tells
--- its weight times the product of the two standard deviations in it.
+-- | The frames in the order of growth. Next is the frame whose nominal overlaps with those before
+-- it score most. Ties go to its overlaps with all frames, and then to the first. The score of an
+-- overlap is its weight times the product of the two standard deviations in it.
 growth :: Index Tile -> [Tile] -> [Tile]
 growth index frames =
   unfoldr next (IntMap.fromList [(tileNumber f, ((0, sum (map snd (ties f))), f)) | f <- frames])
@@ -112,11 +111,11 @@ growth index frames =
               Overlap n vf vc _ = overlapAt (referenceOf (tileImage f)) (tileImage other) dx dy
       ]
 
--- | Puts a frame where it is most probable beside the others of a composite, whether or not it was
--- in it before.
+-- | Puts a frame at its most probable displacement beside the others of a composite, which may
+-- already contain it.
 --
--- Displacements are known up to a common shift, which is the mean of k others up to an error of
--- variance sigma^2 / k. So the prior is normal about that mean, with variance sigma^2 (1 + 1/k).
+-- Displacements are known up to a common shift. The mean of k others estimates it with variance
+-- sigma^2 / k. So the prior is normal about that mean, with variance sigma^2 (1 + 1/k).
 putFrame :: Registration -> Index Tile -> Search -> Shifts -> Tile -> Shifts
 putFrame settings index search (Shifts shifts total) frame =
   Shifts (IntMap.insert k best (shiftsByNumber others)) (shiftsSum others `plus` best)
@@ -137,15 +136,15 @@ putFrame settings index search (Shifts shifts total) frame =
     best = mostProbable settings overlapOf (Prior mean (sigma * sigma)) radius start
 
 {- Note [Whole taxels] Blending blurs an image that lies between the composite's pixels. So the
-   composite's grid lies so that the frame needs no interpolation at the start of its search, and
-   the start is whole taxels from where the frame was: displacements by whole taxels, relative to
-   each other, are then seen without any blur. -}
+   composite's grid is aligned with the frame at the start of its search. That start is whole taxels
+   from the frame's last place. Frames that differ by whole taxels are then compared without blur.
+   -}
 
--- | The overlap of a frame with the others of a composite, given where its search starts and how
--- many taxels it goes from there, at a displacement.
+-- | The overlap of a frame with the others of a composite at a displacement, given the start of the
+-- frame's search and its reach in taxels.
 --
--- Where each frame's noise has variance 1, a pixel that is the mean of m frames has noise of
--- variance 1/m, and its difference from the frame 1 + 1/m. So it counts with weight m / (1 + m).
+-- If each frame's noise has variance 1, a pixel that is the mean of m frames has noise of variance
+-- 1/m. Its difference from the frame has 1 + 1/m, so its weight is m / (1 + m).
 overlapBeside :: Index Tile -> Shifts -> Tile -> Taxels -> Int -> Taxels -> Overlap
 overlapBeside index others frame start reach = either (\_ _ -> Overlap 0 0 0 0) at known
   where

@@ -1,12 +1,12 @@
 {-# LANGUAGE BangPatterns #-}
 {-# OPTIONS_HADDOCK hide #-}
 
--- | Many frames registered to one lattice of cells: where the lattice lies is found from all of
--- them, each frame's displacement from the lattice and from the symbols that the other frames saw
--- in the cells that it sees. The array is not known here.
+-- | Registers many frames on one lattice of cells. All frames together determine where the lattice
+-- lies. Each frame's displacement follows from the lattice, and from the symbols that other frames
+-- show in its cells. The array is not known here.
 --
--- The cost is linear in the frames: the lattice's phase is found from at most @phaseFrames@ of
--- them, and of each frame only the displacements that may matter are kept.
+-- The cost is linear in the frames. At most @phaseFrames@ of them determine the lattice's phase,
+-- and each frame keeps only its likely displacements.
 module PraTactile.Registration.Joint
   ( Estimate (..),
     Joint (..),
@@ -36,7 +36,7 @@ import PraTactile.Registration.Joint.Displacement
     cellsOfPhases,
     displacementsOf,
   )
-import PraTactile.Registration.Joint.Phase (CommonPhase (..), commonPhase, glimpsedLog)
+import PraTactile.Registration.Joint.Phase (CommonPhase (..), commonPhase, quickPhaseLog)
 import PraTactile.Registration.Joint.TwoFrames
 import PraTactile.Registration.Lattice.Fit
 import PraTactile.Registration.Lattice.Likelihood (likelihoodTheta)
@@ -48,40 +48,41 @@ import PraTactile.Registration.Numbers (keptPixels, outlier, phaseFrames, places
 import PraTactile.Registration.Posterior (Hypothesis (..))
 import PraTactile.Registration.Settings (Registration (..))
 
--- | Frames on one lattice, each part found when it is first looked at.
+-- | Frames on one lattice. Fields are computed on first use.
 data Joint = Joint
-  { -- | Where each frame is, in their order. The displacements have mean 0, since a shift common to
-    -- all cannot be seen.
+  { -- | The estimate of each frame, in their order. The displacements have mean 0, since a shift
+    -- common to all is unobservable.
     jointFrames :: [Estimate],
-    -- | The standard deviation of the robot's position error, taxels, where two frames or more tell
-    -- it.
+    -- | The standard deviation of the robot's position error, taxels; 'Nothing' for a single frame.
     jointSigma :: Maybe Double,
-    -- | log P of the lattice at a glance, up to what does not depend on the places.
-    jointGlimpse :: Double,
-    -- | F: what log P of all that the frames show is at least, likewise.
+    -- | A quick log P of the lattice, by phases alone, up to a constant that does not depend on the
+    -- places.
+    jointQuickLog :: Double,
+    -- | F: a lower bound of log P of what all frames show, up to a constant that does not depend on
+    -- the places.
     jointBound :: Double,
     -- | E, the log evidence of the nominal places.
     jointEvidence :: Double,
     -- | E_0, the log evidence that each frame lies anywhere.
     jointAnywhere :: Double,
-    -- | What brings each to the scale of all.
+    -- | Each frame's rescaling to the common scale.
     jointLevels :: [Level],
-    -- | The displacements of each, with their probabilities.
+    -- | Each frame's displacements, with their probabilities.
     jointField :: MeanField,
-    -- | What each frame tells of its cells.
+    -- | Each frame's contribution to its cells.
     jointTold :: [Told],
     -- | The lattice where the frames are found, in taxels from the origin of their places.
     jointLattice :: Lattice
   }
 
--- | Frames registered from the nominal places (taxels) of their upper left pixels, and what they
--- tell at the lattice's angle.
+-- | Registers frames, given the nominal places (taxels) of their upper left pixels, and their fits
+-- at the lattice's angle.
 registerJointly :: Registration -> Fits -> [(Taxels, Touched)] -> Joint
 registerJointly settings fits frames =
   Joint
     { jointFrames = centredEstimates,
       jointSigma = sigma,
-      jointGlimpse = glimpsedLog grid phases,
+      jointQuickLog = quickPhaseLog grid phases,
       jointBound = bound,
       jointEvidence =
         bound - log (commonShare common) - log (2 * phasesOfOne)
@@ -116,7 +117,7 @@ registerJointly settings fits frames =
     alone = map anywhere onLattice
     (across, down) = phaseCount placesPerTaxel
     phasesOfOne = fromIntegral (across * down)
-    -- What a frame tells that may lie at any phase of either orientation.
+    -- The log-likelihood of a frame by orientation, if its phase is unknown.
     anywhere (_, _, fitted) = (max least upright, max least upsideDown)
       where
         (upright, upsideDown) = both share (cellsOfPhases (fitSome fitted))
@@ -131,7 +132,7 @@ registerJointly settings fits frames =
         | ((place, seen), fitted) <- zip frames (fitsFrames fits)
       ]
     grid = latticeGrid settings
-    -- What few frames tell is kept; of many, or of large ones, it would take too much memory.
+    -- Fits of a few small frames are kept; of many or large frames they would take too much memory.
     kept (place, _, fitted) = (place, fitted)
     again (place, seen, _) = (place, fitOf (tablesOf seen) seen)
     tablesOf = fitsTables fits . rasterSize . fst
@@ -140,11 +141,11 @@ registerJointly settings fits frames =
     pixelsOf (_, (image, _), _) = rasterWidth image * rasterHeight image
     phases = map (fmap fitSome . if small then kept else again) some
     common = commonPhase grid phases (twoPhase <$> two)
-    -- Of two frames all phases are summed.
+    -- For two frames all phases are summed.
     two = case map kept onLattice of
       [first, second] -> Just (twoFrames (apart grid) (fmap fitSome first) (fmap fitSome second))
       _ -> Nothing
-    -- The errors of both, which are independent.
+    -- Sigma of the difference of two independent errors.
     apart known = known {gridSigmas = map (sqrt 2 *) (gridSigmas known)}
     (thetas, displacements) =
       unzip (map (told . (if few then kept else again)) onLattice)
@@ -154,7 +155,7 @@ registerJointly settings fits frames =
           displacements' =
             displacementsOf grid (commonOrientation common) (commonRowColumn common) . (,) place
        in ( theta,
-            -- A frame that is at odds with the others.
+            -- The frame contradicts the others, so all its phases are evaluated.
             case displacements' (fitSome fitted) of
               [] -> displacements' (fitLikelihood fitted)
               some' -> some'
@@ -170,7 +171,8 @@ registerJointly settings fits frames =
     rests = [snd (onGrid grid place) | (place, _, _) <- onLattice]
     shifts weights = [(displacementShift o, p) | (o, p) <- weights]
 
--- | Two frames, as sure as where the second lies against the first: half a step from their middle.
+-- | Splits the second of two frames' displacement against the first: each takes half of it, from
+-- their middle. The uncertainty stays that of the difference.
 halvesOf :: Estimate -> [Estimate]
 halvesOf found = [half (-1), half 1]
   where
@@ -184,8 +186,7 @@ halvesOf found = [half (-1), half 1]
         }
     times sign (x, y) = (sign * x / 2, sign * y / 2) :: Taxels
 
--- | What was found along the lattice's axes, which are turned by that many degrees, along the
--- frames'.
+-- | Turns an estimate from the lattice's axes to the frames', given the lattice's angle in degrees.
 turnedTo :: Double -> Estimate -> Estimate
 turnedTo 0 l = l
 turnedTo angle l =
@@ -200,7 +201,7 @@ turnedTo angle l =
     (sx, sy) = estimateDeviation l
     along i j = sqrt (i * i * sx * sx + j * j * sy * sy)
 
--- | Where the first of a frame's places lies, from where its upper left pixel does.
+-- | The place of the first of a frame's places, from that of its upper left pixel.
 firstPlace :: Templates -> Taxels -> Taxels
 firstPlace tables (x, y) = (x + fromIntegral i, y + fromIntegral j)
   where

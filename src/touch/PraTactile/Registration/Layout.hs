@@ -1,7 +1,7 @@
 {-# OPTIONS_HADDOCK hide #-}
 
--- | Where frames may lie if what the robot tells of them is wrong as a whole, beside the error of
--- each: hypotheses that neither the lattice of symbols nor the array need refute.
+-- | Layouts of all frames that would hold if the robot's positions were wrong as a whole, beside
+-- the error of each. Neither the lattice of symbols nor the array need refute them.
 module PraTactile.Registration.Layout
   ( Layout (..),
     layouts,
@@ -10,7 +10,7 @@ where
 
 import Data.List (nub, sort, sortOn)
 import Data.Ord (Down (..))
-import PraTactile.Composite (Fault (..))
+import PraTactile.Composite (LayoutCause (..))
 import PraTactile.Composite.Blend (Taxels)
 import PraTactile.Composite.Lattice (cellSteps)
 import PraTactile.Composite.Noise (spacedOut)
@@ -18,19 +18,19 @@ import PraTactile.Registration.Numbers (groupShare, leastGap, mostGroups, mostLi
 import PraTactile.Sensor.Frame (Pose (..))
 import PraTactile.Sensor.Manifest (Axes, alongAxes, axesNamed, straight)
 
--- | A hypothesis of where all frames lie.
+-- | A hypothesis about the places of all frames.
 data Layout = Layout
-  { layoutFault :: !Fault,
-    -- | The share that it has of the prior probability of such faults.
+  { layoutCause :: !LayoutCause,
+    -- | Its share of the prior probability of faults of its kind.
     layoutShare :: !Double,
-    -- | The place of each frame, in their order; of a slip as told.
+    -- | The place of each frame, in their order; for a slip, the places as given.
     layoutPlaces :: [Taxels],
-    -- | By how many rows and columns of cells each frame has slipped.
+    -- | The rows and columns of cells by which each frame slips.
     layoutSteps :: [(Int, Int)]
   }
 
--- | All layouts beside the places that are told. Given are the scales across and down that the
--- frames make likely, and for each place the group of frames that show the same.
+-- | All alternatives to the given places. Given are the scales across and down that the frames make
+-- likely, the group of each frame (frames that show the same symbols), and the places.
 layouts :: [(Double, Double)] -> [Int] -> [Taxels] -> [Layout]
 layouts scales groups places =
   [ ofAll (OtherAxes axes) (axesShare axes)
@@ -43,12 +43,13 @@ layouts scales groups places =
     ++ slips 1 (beyond fst ++ beyond snd)
     ++ slips groupShare [map (== g) groups | several > 1, g <- some]
   where
-    -- Scales that the frames make likely have half of the probability of all scales.
+    -- Scales that the frames make likely have half of the prior of all scales.
     found = if null scales then 0 else 0.5
     ofScales share these =
       [ofAll (uncurry OtherScale scale) (share / fromIntegral (length these)) | scale <- these]
-    ofAll fault share = Layout fault share (map (faultAt fault) places) (map (const (0, 0)) places)
-    -- That one of some sets of frames has slipped, by any cell.
+    ofAll cause share =
+      Layout cause share (map (placeUnder cause) places) (map (const (0, 0)) places)
+    -- One of some sets of frames slips, by any cell.
     slips share sets =
       [ Layout
           Slip
@@ -70,14 +71,15 @@ layouts scales groups places =
             b - a > leastGap
         ]
 
--- | Where a fault that all places share has one of them, in the robot's coordinates.
-faultAt :: Fault -> (Double, Double) -> (Double, Double)
-faultAt fault (x, y) = case fault of
+-- | Moves a place, in the robot's coordinates, as a fault of all places would.
+placeUnder :: LayoutCause -> (Double, Double) -> (Double, Double)
+placeUnder cause (x, y) = case cause of
   OtherAxes axes -> let Pose x' y' _ = alongAxes axes (Pose x y 0) in (x', y')
   OtherScale across down -> (across * x, down * y)
   _ -> (x, y)
 
--- | Of other axes: two fifths each for x or y negated, the rest for the five others.
+-- | The prior share of other axes: two fifths each for x or y negated, a fifth for the five others
+-- together.
 axesShare :: Axes -> Double
 axesShare axes
   | axes `elem` oneNegated = 0.4

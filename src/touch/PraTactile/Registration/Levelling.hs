@@ -1,28 +1,29 @@
 {-# OPTIONS_HADDOCK hide #-}
 
--- | Frames on one scale: the sensor is pressed harder here than there, and what it reads of one and
--- the same relief is more, or begins higher. What a frame tells of the lattice tells that too.
+-- | Brings frames to one scale. A sensor is pressed harder on some frames, and then reads more of
+-- equal relief, or from a higher level. The fit of the lattice gives the gain and offset of each
+-- frame.
 --
--- A frame of N taxels whose readings have mean m and standard deviation s reads flat as o and
--- relief as o + g, in grey values, by its theta = (a, b, v):
+-- A frame of N taxels, whose readings have mean m and standard deviation s, reads flat ground as o
+-- and relief as o + g, in grey values, by its theta = (a, b, v):
 --
 -- > g = s a,    o = m + s b
 -- > variance of log g:  e^2 = v / (0.4 N (1 - v)) + 0.3^2
 -- > variance of o / g': e^2 = s^2 v / (0.4 N g'^2) + 0.05^2,    g' the mean gain
 --
--- 0.4 of the taxels being independent ('independent'), 0.3 what the force of a press, worn symbols
--- and elements of their own make of a gain, which is better left as it is, and 0.05 what relief
--- that is not quite as it is drawn makes of an offset (assumptions). Gains and offsets are each
--- taken for draws from a normal distribution of variance tau^2 (random effects; DerSimonian and
--- Laird, Controlled Clinical Trials 7, 1986):
+-- 0.4 is the share of independent taxels ('independent'). 0.3 is the spread of gains by the force
+-- of a press, worn symbols and single elements, which is better left in. 0.05 is the spread of
+-- offsets by relief that is not quite as drawn. Both are assumptions. Gains and offsets are each
+-- draws from a normal distribution of variance tau^2 (random effects; DerSimonian and Laird,
+-- Controlled Clinical Trials 7, 1986):
 --
 -- > w = 1 / e^2,   mean = sum w x / sum w,   Q = sum w (x - mean)^2
 -- > tau^2 = max 0 (Q - (n - 1)) / (sum w - sum w^2 / sum w)
 -- > x^ = mean + tau^2 / (tau^2 + e^2) (x - mean)
 --
--- Where frames differ no more than their errors explain, tau is 0, and none is changed. One that
--- reads less shows its noise the more, and counts so much less: as the square of its gain, which is
--- one over its noise's variance; a hundredth at least.
+-- If frames differ no more than their errors explain, tau is 0 and no frame changes. A frame that
+-- reads less shows more noise once it is rescaled. Its weight is therefore the square of its
+-- relative gain, a hundredth at least.
 module PraTactile.Registration.Levelling
   ( Levelling (..),
     Level (..),
@@ -36,39 +37,44 @@ where
 import PraTactile.Image (Raster, mapRaster)
 import PraTactile.Registration.Lattice.Fit (Touched, standardOf)
 import PraTactile.Registration.Model (Theta (..))
-import PraTactile.Registration.Numbers (independent, negligible, unlikeGain, unlikeOffset)
+import PraTactile.Registration.Numbers
+  ( independent,
+    negligible,
+    pressGainVariance,
+    pressOffsetVariance,
+  )
 
--- | What all frames read on their common scale, and how each is brought to it.
+-- | The common scale of all frames, and the rescaling of each to it.
 data Levelling = Levelling
-  { -- | What flat ground reads, grey values.
+  { -- | The reading of flat ground, grey values.
     levellingFlat :: !Double,
-    -- | How much more relief reads.
+    -- | How much more embossed relief reads, grey values.
     levellingContrast :: !Double,
     -- | In the order of the frames.
     levellingFrames :: ![Level]
   }
   deriving stock (Eq, Show)
 
--- | How a frame is brought to a common scale: each value v becomes offset + factor v.
+-- | The rescaling of a frame: each value v becomes offset + factor v.
 data Level = Level
   { levelOffset :: !Double,
     levelFactor :: !Double,
-    -- | The weight of the frame in a mean, beside 1 of a usual one.
+    -- | The frame's weight in a mean; a usual one has 1.
     levelWeight :: !Double
   }
   deriving stock (Eq, Show)
 
--- | The level of a frame that stays as it is read.
+-- | The level that changes nothing.
 unlevelled :: Level
 unlevelled = Level 0 1 1
 
--- | A frame on the common scale.
+-- | Brings a frame to the common scale.
 levelled :: Level -> Raster -> Raster
 levelled level
   | level == unlevelled = id
   | otherwise = mapRaster (\v -> levelOffset level + levelFactor level * v)
 
--- | The common scale of frames, from the frames and how each reads relief.
+-- | The common scale, from the frames and their thetas.
 levelling :: [(Touched, Theta)] -> Levelling
 levelling frames
   | alike gains && alike offsets = Levelling flat unit (map (const unlevelled) frames)
@@ -80,20 +86,21 @@ levelling frames
     unit = exp usualGain
     gains = map exp logGains
     (usual, shares) =
-      randomEffects [(offset r / unit, offsetError r / (unit * unit) + unlikeOffset) | r <- told]
+      randomEffects
+        [(offset r / unit, offsetError r / (unit * unit) + pressOffsetVariance) | r <- told]
     offsets = map (* unit) shares
     alike xs = and (zipWith (==) xs (drop 1 xs))
     onto g o = Level (flat - o / share) (1 / share) (max 0.01 (share * share))
       where
         share = g / unit
 
--- | How a frame reads relief, grey values.
+-- | The gain and the offset of a frame, grey values.
 data Reading = Reading
   { gain :: !Double,
     offset :: !Double,
-    -- | The variance of the gain's logarithm; infinite where the frame shows too little to tell.
+    -- | The variance of the log gain; infinite if the frame shows too little to estimate it.
     gainError :: !Double,
-    -- | The variance of the offset, that of relief apart.
+    -- | The variance of the offset by noise alone.
     offsetError :: !Double
   }
 
@@ -102,11 +109,11 @@ reading seen (Theta a b v) = Reading (s * a) (m + s * b) ofGain (s * s * v / (in
   where
     ofGain
       | n / 2 * log (1 / v) < negligible = 1 / 0
-      | otherwise = v / (independent * n * (1 - v)) + unlikeGain
+      | otherwise = v / (independent * n * (1 - v)) + pressGainVariance
     (n, m, s) = standardOf seen
 
--- | The mean of numbers with variances, and what each is by itself and by all together: the mean,
--- where its variance is infinite.
+-- | Random-effects estimates from numbers with their error variances: the mean, and each number
+-- shrunk towards it. A number of infinite variance becomes the mean.
 randomEffects :: [(Double, Double)] -> (Double, [Double])
 randomEffects given = (mean, map shrunk given)
   where

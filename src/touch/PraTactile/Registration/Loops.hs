@@ -1,7 +1,7 @@
 {-# LANGUAGE BangPatterns #-}
 {-# OPTIONS_HADDOCK hide #-}
 
--- | Tables and products of vectors, as loops: the library's own zips are not fused where the
+-- | Loops for tables and products of vectors. The vector library's zips do not fuse where the
 -- compiler keeps memory alive around each element, and take five times as long.
 module PraTactile.Registration.Loops
   ( tabulate,
@@ -15,14 +15,14 @@ import Data.Vector.Storable (Vector)
 import qualified Data.Vector.Storable as V
 import qualified Data.Vector.Storable.Mutable as M
 
--- | A table of so many columns and rows, row by row, from what it has in a row and a column. What
--- is the same for a row is calculated once, if the function does so before it takes the column.
+-- | A table of the given numbers of columns and rows, row by row, from a function of row and
+-- column. Work for a whole row is done once, if the function does it before it takes the column.
 tabulate :: Int -> Int -> (Int -> Int -> Double) -> Vector Double
 tabulate columns rows at = V.create $ do
   table <- M.unsafeNew (columns * rows)
   -- Note [Bounds of tables]
   let row !y = when (y < rows) $ do
-        -- Evaluated here, the function of columns is part of the loop, and no call of it.
+        -- Evaluated here, the function of columns is inlined in the loop.
         let !here = at y
             !start = y * columns
             column !x =
@@ -33,15 +33,14 @@ tabulate columns rows at = V.create $ do
   pure table
 {-# INLINE tabulate #-}
 
-{- Note [Bounds of tables] Rows and columns stay below how many there are of them. -}
+{- Note [Bounds of tables] Rows and columns stay below their numbers. -}
 
--- | The sum of the products of two vectors' elements, as far as both have any.
+-- | The dot product of two vectors, up to the shorter length.
 dot :: Vector Double -> Vector Double -> Double
 dot xs ys = dotWithin (min (V.length xs) (V.length ys)) (xs, 0) (ys, 0)
 
--- | That of so many elements, of each vector from its index on.
--- Unchecked: both must have them. Four sums are added up side by side, which do not wait for each
--- other.
+-- | The dot product of n elements, of each vector from its index on. Unchecked: both must have
+-- them. Four independent sums run side by side.
 dotWithin :: Int -> (Vector Double, Int) -> (Vector Double, Int) -> Double
 dotWithin !n (!xs, !i) (!ys, !j) = fours 0 0 0 0 0
   where

@@ -13,71 +13,75 @@
 -- > d_f       displacement of frame f from its nominal place n_f
 -- > theta_f   how frame f reads relief: gain a, offset b, noise variance v
 --
--- A frame has N taxels u. Its readings z(u), standardised to mean 0 and variance 1, are those of
--- relief r, which is 1 where the face is embossed and 0 where it is flat:
+-- A frame has N taxels u, with readings z(u) standardised to mean 0 and variance 1. Relief r is 1
+-- where the face is embossed and 0 where it is flat:
 --
 -- > z(u) = a r(u) + b + noise,    noise normal, of variance v, independent in each taxel
 --
--- Where a frame shows that it was tilted, "PraTactile.Registration.Contact" finds its slopes, reads
--- it as an even press would have, and gives each taxel a weight. Sums over taxels are by weight.
+-- If frames show that the sensor was tilted, "PraTactile.Registration.Contact" finds the slopes. It
+-- rewrites each frame as an even press would read it, and gives each taxel a weight. Sums over
+-- taxels are weighted.
 --
 -- = Priors
 --
 -- > P(w)        "PraTactile.Registration.Layout"
--- > P(alpha)    uniform, found by "PraTactile.Registration.Lattice.Angle"
+-- > P(alpha)    uniform; maximised by "PraTactile.Registration.Lattice.Angle"
 -- > P(lambda)   uniform over places of half a taxel modulo the pitch of 16 x 20 taxels
--- > P(sigma)    uniform in log sigma: from half a taxel to four, a quarter of the pitch; or from
--- >             half to twice what the robot is known for, but to four at most where that is less
+-- > P(sigma)    uniform in log sigma: from half a taxel to four (a quarter of the pitch) if the
+-- >             robot's error is unknown; else from half to twice the known error, but at most
+-- >             four taxels or the known error, whichever is larger
 -- > P(d_f)      pi_sigma: normal, of variance sigma^2 + s^2 / 12, where s is the grid's spacing
 --
 -- theta_f is maximised ("PraTactile.Registration.Lattice.Fit").
 --
 -- = Factors
 --
--- A factor c joins the frames that see one thing. It has a few hypotheses h with priors P_c(h), and
--- under h = 0 the frames have nothing in common:
+-- A factor c joins the frames that see one cell, or the two frames of a pair. It has a few
+-- hypotheses h with priors P_c(h). Under h = 0 the frames have nothing in common:
 --
 -- > likelihood of c = sum over h of P_c(h) * product over its frames f of exp l_fh(d_f)
 --
--- Where frames show symbols, the factors are the cells of the lattice; otherwise they are the pairs
--- of frames that overlap:
+-- If the frames show symbols, the factors are the cells of the lattice. Otherwise they are the
+-- pairs of overlapping frames:
 --
 -- > cell   h = empty         P = epsilon              l = 0
 -- >        h = class k       P = (1 - epsilon) / q    l_k
 -- > pair   h = two reliefs   P = 1/2                  l = 0
 -- >        h = one relief    P = 1/2                  L, "PraTactile.Registration.Overlap"
 --
--- Symbols do not overlap, so that the squared error of a lattice is a sum over its cells. There is
--- a lattice at all if its posterior odds are 'sure', against the likeliest normal process.
+-- Symbols do not overlap, so the squared error of a lattice is a sum over its cells. Registration
+-- accepts a lattice if its log posterior odds against the likeliest normal process exceed 'sure'.
 --
 -- = Inference
 --
--- lambda is maximised ("PraTactile.Registration.Joint.Phase"). The posterior of the displacements
--- and of sigma is approximated by a product of q_f and q (a mean field):
+-- lambda is maximised ("PraTactile.Registration.Joint.Phase"). A product of q_f and q (a mean
+-- field) approximates the posterior of the displacements and of sigma:
 --
--- > m_c(h)     ~ P_c(h) exp (sum over other frames g of <l_gh>)      what the others make of c
--- > m'_c       = (1 - delta) m_c + delta P_c                         one of them may be astray
--- > s_f(sigma) ~ exp (sum over other frames g of <log pi_sigma>)     likewise of sigma
+-- > m_c(h)     ~ P_c(h) exp (sum over other frames g of <l_gh>)      c by the other frames
+-- > m'_c       = (1 - delta) m_c + delta P_c                         any frame may be an outlier
+-- > s_f(sigma) ~ exp (sum over other frames g of <log pi_sigma>)     sigma by the other frames
 -- > q_f(d)     ~ (sum over sigma of s_f(sigma) pi_sigma(d))
 -- >              * product over c of sum over h of m'_c(h) exp l_fh(d)
 --
--- where <.> is the mean over q_g. A pair has but one other frame, whose displacements are summed:
+-- where <.> is the mean over q_g. A pair has only one other frame, so its displacements are summed:
 --
 -- > q_f(d)     ~ prior * product over pairs of (1 + sum over d' of q_g(d') exp L(d' - d))
 --
--- "PraTactile.Registration.Field" has the prior and the sweeps, its two modules the factors. A shift
--- common to all frames cannot be seen: the phase of a lattice takes it, and with pairs the first
--- frame stays where the robot has it. The displacements that are given have mean 0. Two frames on a lattice are exact ("PraTactile.Registration.Joint.TwoFrames").
+-- "PraTactile.Registration.Field" has the prior and the sweeps; its two submodules have the
+-- factors. A shift common to all frames is unobservable. A lattice absorbs it in its phase; with
+-- pairs the first frame stays at its nominal place. Reported displacements have mean 0. Two frames
+-- on a lattice are solved exactly ("PraTactile.Registration.Joint.TwoFrames").
 --
 -- = Evidence
 --
--- One bound tells how likely a layout is, up to what all layouts have in common:
+-- One bound scores each layout, up to a constant that all layouts share:
 --
 -- > cells   log P >= F, with 'cellShare' of the log-likelihood ("PraTactile.Registration.Joint")
 -- > pairs   E = sum over pairs of log (delta + (1 - delta) * sum over e of pi(e) exp L(e))
 --
--- Frames that slip by a cell, or one that is elsewhere, stay on the lattice: F of the same terms in
--- other cells. That positions tell nothing at all is the limit of large sigma, E_0.
+-- Layouts with slipped frames, or with one frame elsewhere, keep the lattice: their F has the same
+-- terms in other cells. E_0, the limit of large sigma, is the evidence if positions are
+-- uninformative.
 --
 -- = Names
 --
@@ -113,7 +117,7 @@ where
 
 import PraTactile.Registration.Numbers (absence, negligible)
 
--- | theta: how a frame reads relief.
+-- | theta: gain, offset and noise variance of a frame's readings.
 data Theta = Theta
   { thetaGain :: !Double,
     thetaOffset :: !Double,
@@ -121,7 +125,7 @@ data Theta = Theta
   }
   deriving stock (Eq, Show)
 
--- | How a frame meets the face: a, b, p, q and v.
+-- | A tilted press: gain a, depth b, slopes p (across) and q (down), noise variance v.
 data Press = Press
   { pressGain :: !Double,
     pressDepth :: !Double,
@@ -131,22 +135,23 @@ data Press = Press
   }
   deriving stock (Eq, Show)
 
--- | p x + q y.
+-- | The plane p x + q y at (x, y): how much nearer to the face the sensor lies there.
 planeAt :: Press -> Double -> Double -> Double
 planeAt (Press _ _ p q _) x y = p * x + q * y
 {-# INLINE planeAt #-}
 
--- | h_r, from r and p x + q y.
+-- | h_r, the indentation by relief r, given r and the plane at the taxel.
 indentation :: Press -> Double -> Double -> Double
 indentation (Press a b _ _ _) r s = max 0 (a * r + b + s)
 {-# INLINE indentation #-}
 
--- | Whether relief r touches, where that is p x + q y.
+-- | Whether relief r touches the sensor, given r and the plane at the taxel.
 touches :: Press -> Double -> Double -> Bool
 touches (Press a b _ _ _) r s = a * r + b + s > 0
 {-# INLINE touches #-}
 
--- | P(r): a symbol covers a quarter of its cell, and its edges half as much again (assumption).
+-- | P(r), the prior of relief r. A symbol covers a quarter of its cell, and its edges half as much
+-- more (assumption).
 reliefShare :: Double -> Double
 reliefShare r
   | r <= 0 = 0.62
@@ -154,11 +159,12 @@ reliefShare r
   | otherwise = 0.22
 {-# INLINE reliefShare #-}
 
--- | P(k), given the number of classes.
+-- | P(k), the prior of each class, given the number of classes.
 classPrior :: Int -> Double
 classPrior count = (1 - absence) / fromIntegral count
 
--- | l from l_k, given the number of classes. What is less likely by 'negligible' does not count.
+-- | l, the log-likelihood ratio of a cell, classes summed, to an empty one, given the number of
+-- classes and l_k of each. Terms below the largest by more than 'negligible' are dropped.
 cellLog :: Int -> (Int -> Double) -> Double
 cellLog count at
   | m < negate negligible = none
@@ -186,17 +192,17 @@ cellLog count at
       | otherwise = greatest (k + 1) (max best (at k))
 {-# INLINE cellLog #-}
 
--- | The logarithm of a normal density up to a constant, given its variance and the square of the
--- distance from its mean: log pi, of the square of a displacement or of its part along an axis.
+-- | Log density of a normal distribution up to a constant, given its variance and the squared
+-- distance from its mean.
 normalLog :: Double -> Double -> Double
 normalLog variance square = negate square / (2 * variance)
 {-# INLINE normalLog #-}
 
--- | To the nearest eighth of a taxel, as displacements are given.
+-- | Rounds to an eighth of a taxel, the resolution of reported displacements.
 eighth :: Double -> Double
 eighth t = fromIntegral (round (8 * t) :: Int) / 8
 
--- | The logarithm of the sum of the exponentials; there must be some.
+-- | Log-sum-exp. The list must not be empty.
 logSum :: [Double] -> Double
 logSum logs = top + log (sum [exp (l - top) | l <- logs])
   where

@@ -52,7 +52,7 @@ squareAt (Index side corner _) place = (floor (y / side), floor (x / side))
   where
     (x, y) = place `minus` corner
 
--- | The squares at most this many rows and columns from one, row by row, with their frames.
+-- | The squares within a number of rows and columns of one, row by row, with their frames.
 around :: Int -> Index frame -> Square -> [(Square, [frame])]
 around reach index (row, column) =
   [ (there, held)
@@ -66,8 +66,8 @@ around reach index (row, column) =
 widest :: [Raster] -> Double
 widest images = fromIntegral (maximum (1 : [max (rasterWidth i) (rasterHeight i) | i <- images]))
 
--- | Two frames that overlap, by their numbers, the smaller one first; where the second's upper left
--- pixel lies in the first; and the share of the smaller frame that the overlap has.
+-- | Two frames that overlap: their numbers, the smaller first; the place of the second's upper left
+-- pixel in the first; and the overlap's share of the smaller frame.
 data Neighbours = Neighbours
   { neighboursFirst :: !Int,
     neighboursSecond :: !Int,
@@ -76,13 +76,13 @@ data Neighbours = Neighbours
   }
   deriving stock (Eq, Show)
 
--- | The pairs that overlap at these places (taxels) of the frames' upper left pixels, each once. Of
--- more than sixteen frames whose upper left pixels lie within a square of a frame's size, sixteen
--- are looked at, so that the pairs are not more than some hundred times the frames.
+-- | The pairs of frames that overlap, given the places (taxels) of their upper left pixels, each
+-- once. Of more than sixteen frames in one square of a frame's size, sixteen are used. The pairs
+-- are then at most some hundred times the frames.
 neighbours :: [(Taxels, Raster)] -> [Neighbours]
 neighbours placed = neighboursAround (length placed) placed
 
--- | The pairs whose first frame is one of at most this many, taken evenly from all.
+-- | The pairs whose first frame is one of at most the given number, evenly spread.
 neighboursAround :: Int -> [(Taxels, Raster)] -> [Neighbours]
 neighboursAround most placed =
   [ Neighbours k l step share
@@ -98,8 +98,8 @@ neighboursAround most placed =
     index = indexed (widest (map snd placed)) [(place, f) | f@(_, (place, _)) <- numbered]
     thinned = index {indexFrames = Map.map (spacedOut 16) (indexFrames index)}
 
--- | The share of the smaller of two images that their overlap has, along each axis, where the
--- second's upper left pixel lies there in the first.
+-- | The overlap's share of the smaller of two images: the product of the shares along both axes.
+-- The place is that of the second's upper left pixel in the first.
 overlapShare :: Raster -> Raster -> Taxels -> Double
 overlapShare a b (right, down) = along rasterWidth right * along rasterHeight down
   where

@@ -9,8 +9,8 @@ module PraTactile.Registration.Numbers
     leastVariance,
     leastShare,
     blurDeviation,
-    unlikeGain,
-    unlikeOffset,
+    pressGainVariance,
+    pressOffsetVariance,
 
     -- * Tilted presses
     leastTouch,
@@ -77,256 +77,260 @@ module PraTactile.Registration.Numbers
   )
 where
 
--- | The least gain that is found. Assumption: no frame is all noise.
+-- | Lower limit of estimated gains. Assumption: no frame is pure noise.
 leastGain :: Double
 leastGain = 0.3
 
--- | The least noise variance that is found. Assumption: no frame is without any.
+-- | Lower limit of estimated noise variances. Assumption: no frame is without noise.
 leastVariance :: Double
 leastVariance = 2e-3
 
--- | The least share of a taxel that counts in a sum of squares. It saves time.
+-- | A taxel that reads less of a symbol than this is left out of sums of squares. It saves time.
 leastShare :: Double
 leastShare = 0.01
 
--- | beta, taxels: the standard deviation of the blur of an elastic overlay and an element's
--- aperture. Assumption: half as much again, or half, changes little. The pose asks for edges,
--- which finite elements show sharper, and takes 0.3 ("PraTactile.Pose").
+-- | beta, taxels: standard deviation of the blur by an elastic overlay and an element's aperture.
+-- Assumption: half as much more, or half, changes little. The pose depends on edges, which finite
+-- elements show sharper; "PraTactile.Pose" therefore takes 0.3.
 blurDeviation :: Double
 blurDeviation = 0.75
 
--- | The variance of the logarithms of gains within one sensor's presses. Assumption: 30 %.
-unlikeGain :: Double
-unlikeGain = 0.09
+-- | Variance of log gains among one sensor's presses. Assumption: 30 %.
+pressGainVariance :: Double
+pressGainVariance = 0.09
 
--- | The variance of offsets, as shares of the gain, within one sensor's presses. Assumption: 5 %.
-unlikeOffset :: Double
-unlikeOffset = 0.0025
+-- | Variance of offset / gain among one sensor's presses. Assumption: 5 %.
+pressOffsetVariance :: Double
+pressOffsetVariance = 0.0025
 
--- | The least t of a taxel that touches. Assumption.
+-- | A taxel touches if its t ("PraTactile.Registration.Contact") is at least this. Assumption.
 leastTouch :: Double
 leastTouch = 0.25
 
--- | What share of taxels counts where it is asked whether presses are tilted. Assumption: residual
--- relief is common to neighbouring taxels.
+-- | Share of the taxels that counts in the test for tilted presses. Assumption: neighbouring taxels
+-- have residual relief in common.
 independentShare :: Double
 independentShare = 0.2
 
--- | The most frames that are asked whether they are tilted. It saves time.
+-- | At most this many frames are tested for tilt. It saves time.
 mostAsked :: Int
 mostAsked = 12
 
--- | The steps of expectation and maximisation of a tilted press. It saves time.
+-- | EM steps of a quick fit of a press; the final fit takes 15. It saves time.
 pressSteps :: Int
 pressSteps = 8
 
--- | epsilon, the probability that a cell is empty: beyond the face, or worn off. Assumption.
+-- | epsilon, the prior probability that a cell is empty: beyond the face, or worn off. Assumption.
 absence :: Double
 absence = 0.01
 
--- | How finely phases and displacements are told apart. Half a taxel is a quarter of the blur's
+-- | Grid points per taxel of displacements and phases. Half a taxel is a quarter of the blur's
 -- width.
 placesPerTaxel :: Int
 placesPerTaxel = 2
 
--- | The least log posterior odds of the lattice against any other relief. 0.99 is the posterior
--- that users are told.
+-- | Log posterior odds above which registration accepts the lattice against any other relief. They
+-- belong to 0.99, the posterior that users are given.
 sure :: Double
 sure = log 99
 
--- | The least noise share of any other relief where frames are asked for the lattice. Assumption:
--- symbols are not felt quite as they are drawn.
+-- | Lower limit of the rival process's noise share when frames are tested for the lattice.
+-- Assumption: sensors do not feel symbols quite as they are drawn.
 misfit :: Double
 misfit = 0.1
 
--- | Hypotheses that are e^30 less likely do not count. It saves time.
+-- | Hypotheses e^30 less likely than the best are dropped. It saves time.
 negligible :: Double
 negligible = 30
 
--- | The least probability of a phase or a symbol in a step of maximisation. It saves time.
+-- | Phases and symbols of a lower probability are left out of an M step. It saves time.
 leastWeight :: Double
 leastWeight = 1e-6
 
--- | What share of a cell's log-likelihood counts where a symbol is told and where layouts are
--- weighed. Measured: as many symbols are wrong as are told to be (@bench/calibration.py@).
+-- | Share of a cell's log-likelihood that counts when classes are reported and layouts compared.
+-- Measured: as many symbols are wrong as their probabilities predict (@bench/calibration.py@).
 cellShare :: Double
 cellShare = 0.05
 
--- | The most frames that the phase is found from. It saves time.
+-- | At most this many frames determine the phase. It saves time.
 phaseFrames :: Int
 phaseFrames = 64
 
--- | The most pixels of a frame, on average, whose log-likelihoods are kept. It saves memory.
+-- | Log-likelihoods stay in memory for up to 'phaseFrames' frames of this many pixels each. It
+-- saves memory.
 keptPixels :: Int
 keptPixels = 1024
 
--- | How finely sigma is told apart. A twelfth of an octave is 6 %.
+-- | Values of sigma per octave. Half their spacing, a twelfth of an octave, is 6 %.
 sigmasPerOctave :: Int
 sigmasPerOctave = 6
 
--- | How near to the truth a displacement counts as right, taxels along each axis. Definition.
+-- | A displacement counts as right within this many taxels of the truth along each axis.
+-- Definition.
 tolerance :: Double
 tolerance = 0.75
 
--- | delta, the probability that a frame shows something else in a cell, or in an overlap, than all
--- others do there. Assumption: it lies elsewhere, or has but the edge of a symbol, which was felt
--- otherwise than the relief supposes. If delta were 0 such a frame would go a whole cell away.
+-- | delta, the probability that a frame is an outlier in a cell or an overlap: unrelated to what
+-- all others show there. Assumption. Such a frame lies elsewhere, or has only the edge of a symbol,
+-- felt otherwise than the model has it. With delta = 0 it would move by a whole cell.
 outlier :: Double
 outlier = 1e-3
 
--- | Displacements and phases that are e^12 less likely by the frame alone are left out. It saves
--- time.
+-- | Displacements and phases e^12 less likely than the best, by the frame alone, are left out. It
+-- saves time.
 unlikely :: Double
 unlikely = 12
 
--- | Displacements of a lower probability tell other frames nothing of the cells. It saves time.
+-- | Displacements of a lower probability are left out of a frame's message about cells. It saves
+-- time.
 heardOfCells :: Double
 heardOfCells = 0.02
 
--- | The most sweeps of the mean field over cells. Most end after two.
+-- | At most this many sweeps of the mean field over cells. Most runs end after two.
 mostSweeps :: Int
 mostSweeps = 5
 
--- | The greatest displacement on the grid of pairs, taxels: three of the largest standard deviation
--- that an unknown position error has.
+-- | Largest displacement on the grid of pairs, taxels: three times the largest standard deviation
+-- of an unknown position error.
 mostReach :: Int
 mostReach = 12
 
--- | The most displacements and phases of two frames that are summed. It saves time.
+-- | At most this many pairs of a displacement and a phase are summed for two frames. It saves time.
 mostCandidates :: Int
 mostCandidates = 30000
 
--- | The least probability of another displacement that is told of a frame.
+-- | Alternative displacements of a lower probability are not reported.
 leastOther :: Double
 leastOther = 0.001
 
--- | How many independent pairs of values a pixel counts for in a correlation: neighbouring pixels
--- of relief resemble each other. Measured: of pairs that are given at 99 % at least that much is
+-- | Independent pairs of values that one pixel is worth in a correlation, because neighbouring
+-- pixels of relief resemble each other. Measured: of the pairs given at 99 %, at least 99 % are
 -- right (@bench/peers/stitching.py@).
 independent :: Double
 independent = 0.4
 
--- | What share of the log-likelihood of an overlap counts: coefficients are not quite independent.
--- Measured: of what is given at 99 % that much is right (@bench/peers/stitching.py@).
+-- | Share of an overlap's log-likelihood that counts, because coefficients are not quite
+-- independent. Measured: of the pairs given at 99 %, 99 % are right (@bench/peers/stitching.py@).
 tempering :: Double
 tempering = 0.8
 
--- | The variance of g, the logarithm of the ratio of two frames' gains. Assumption: 40 %.
+-- | Prior variance of g, the log ratio of two frames' gains. Assumption: 40 %.
 gainVariance :: Double
 gainVariance = 0.16
 
--- | The share of a coefficient's relief that frames have in common that feel it otherwise.
--- Assumption; without it overlaps of interpolated frames deny each other (8 x 8 frames of 3.175
--- mm).
+-- | Share of a coefficient's relief that two frames have in common if they feel it differently.
+-- Assumption. Without it overlaps of interpolated frames contradict each other (8 x 8 frames of
+-- 3.175 mm).
 alike :: Double
 alike = 0.85
 
--- | The largest noise share that frames are found to have: rough relief looks like noise in each.
+-- | Upper limit of the noise share fitted to frames. Rough relief looks like noise in each.
 mostNoise :: Double
 mostNoise = 5
 
--- | The share of relief's variance by which interpolated pixels of two frames differ. Assumption.
+-- | Interpolated pixels of two frames differ by this share of the relief's variance. Assumption.
 interpolated :: Double
 interpolated = 0.05
 
--- | How many frequencies a side are looked at. It saves time.
+-- | Frequencies used along each side. It saves time.
 highest :: Int
 highest = 32
 
--- | The most frames that the process is found from. It saves time.
+-- | At most this many frames determine the process. It saves time.
 mostOfProcess :: Int
 mostOfProcess = 64
 
--- | The most pixels of a frame for which the weights of its patches are kept. It saves memory.
+-- | Patch weights are kept for frames of at most this many pixels. It saves memory.
 keptPatches :: Int
 keptPatches = 400
 
--- | The least share of a frame that a pair has in common: diagonal steps of half a frame leave
--- 0.25.
+-- | Pairs that share less of a frame are not compared. Diagonal steps of half a frame leave 0.25.
 leastOverlap :: Double
 leastOverlap = 0.2
 
--- | The most pairs that a frame chooses: as many as it has where steps are half a frame.
+-- | Each frame chooses at most this many pairs: as many as it has at steps of half a frame.
 mostPairs :: Int
 mostPairs = 8
 
--- | The most sweeps of the mean field over pairs.
+-- | At most this many sweeps of the mean field over pairs.
 pairSweeps :: Int
 pairSweeps = 10
 
--- | Displacements of a lower probability tell the other frame of a pair nothing. It saves time.
+-- | Displacements of a lower probability are left out of a frame's message to its partner. It saves
+-- time.
 heardOfPairs :: Double
 heardOfPairs = 0.002
 
--- | How often least squares look at each frame.
+-- | Number of sweeps of the least squares that place frames between grid points.
 mostSteps :: Int
 mostSteps = 40
 
--- | A layout of a lower log-likelihood ratio is no hypothesis any more. It saves time.
+-- | Layouts of a lower log-likelihood ratio are dropped. It saves time.
 refuted :: Double
 refuted = -12
 
--- | Layouts of a lower log-likelihood ratio at a glance are not asked for F. It saves time.
+-- | Layouts whose quick log-likelihood ratio, by phases alone, is lower are not scored by F. It
+-- saves time.
 hopeless :: Double
 hopeless = -30
 
--- | The greatest log-likelihood ratio that is told, so that products are numbers.
+-- | Upper limit of reported log-likelihood ratios, so that products stay finite.
 mostLog :: Double
 mostLog = 300
 
--- | The log-likelihood ratio from which on frames contradict their positions, whatever the array
--- says. Assumption.
+-- | From this log-likelihood ratio on, frames contradict their positions, whatever the array says.
+-- Assumption.
 decisive :: Double
 decisive = 20
 
--- | sigma, taxels, from which on other scales are looked for. Assumption: robots are that exact.
+-- | Registration tries other scales if sigma (taxels) is larger. Assumption: robots err less.
 largeError :: Double
 largeError = 1.5
 
--- | The most scales that are asked for F. It saves time.
+-- | At most this many scales are scored by F. It saves time.
 mostScales :: Int
 mostScales = 4
 
--- | The most frames that are asked for a scale. It saves time.
+-- | At most this many frames are used to find scales. It saves time.
 scaleFrames :: Int
 scaleFrames = 32
 
--- | The least distance of the outermost frames at a scale, taxels: half a frame.
+-- | Least distance between the outermost frames at a scale, taxels: half a frame.
 leastExtent :: Double
 leastExtent = 8
 
--- | The greatest distance of the outermost frames at a scale, taxels: 16 cells.
+-- | Greatest distance between the outermost frames at a scale, taxels: 16 cells.
 greatestExtent :: Double
 greatestExtent = 256
 
--- | The most frames that are asked for F of a layout. It saves time.
+-- | At most this many frames score a layout by F. It saves time.
 framesOfLayout :: Int
 framesOfLayout = 256
 
--- | The most pairs that are asked for the evidence of a layout. It saves time.
+-- | At most this many pairs score a layout. It saves time.
 pairsOfLayout :: Int
 pairsOfLayout = 16
 
--- | The most other places of single frames that are told.
+-- | At most this many alternative places of single frames are reported.
 mostElsewhere :: Int
 mostElsewhere = 4
 
--- | The most frames of which groups are found that show the same symbols. It saves time.
+-- | Above this many frames, all count as one group. It saves time.
 mostTied :: Int
 mostTied = 256
 
--- | Of slips, the prior of one group against that of a row or column. Assumption.
+-- | Prior of a slip of one group, relative to a slip of a row or column. Assumption.
 groupShare :: Double
 groupShare = 0.5
 
--- | The most lines along an axis beyond which frames may have slipped. It saves time.
+-- | Slips are tried beyond at most this many lines along each axis. It saves time.
 mostLines :: Int
 mostLines = 8
 
--- | The most groups of which each may have slipped. It saves time.
+-- | Slips are tried of at most this many groups. It saves time.
 mostGroups :: Int
 mostGroups = 16
 
--- | How far apart two rows of frames are, taxels; nearer ones are one row.
+-- | Rows of frames less than this apart (taxels) are one row.
 leastGap :: Double
 leastGap = 2

@@ -1,8 +1,8 @@
 {-# LANGUAGE BangPatterns #-}
 {-# OPTIONS_HADDOCK hide #-}
 
--- | The pair factor: how much likelier two frames are of one relief, at each displacement, than of
--- two. Relief is a stationary normal process, the likeliest of all frames.
+-- | The factor of a pair: the log-likelihood ratio of one relief to two, at each displacement.
+-- Relief is a stationary normal process, the likeliest for all frames.
 module PraTactile.Registration.Overlap
   ( Relief (..),
     reliefOf,
@@ -27,19 +27,19 @@ import PraTactile.Registration.Cosine
 import PraTactile.Registration.Numbers (keptPatches, mostOfProcess)
 import PraTactile.Registration.Spectrum
 
--- | The process that frames of one size show, and what it makes of their patches.
+-- | The relief process of frames of one size, and weights for their patches.
 data Relief = Relief
   { reliefProcess :: !Process,
     reliefCosines :: !Cosines,
-    -- | The frames, each over the root of its scale; 0 where a frame has no variation.
+    -- | Each frame divided by the root of its scale; 0 if the frame has no variation.
     reliefFrames :: !(Boxed.Vector Raster),
-    -- | Of small frames, by height and width of the patches; each is made when it is first looked
-    -- at. Those of large frames would take gigabytes.
+    -- | Weights by height and width of a patch, each computed on first use. It is empty for large
+    -- frames, whose weights would take gigabytes.
     reliefWeights :: !(Boxed.Vector (Boxed.Vector PatchWeights))
   }
 
--- | The process of frames, all of the size that the tables are for, whose noise has at least that
--- share of the relief's variance.
+-- | The relief process of frames, all of the tables' size, given the least noise as a share of the
+-- relief's variance.
 reliefOf :: Spectra -> Double -> [Raster] -> Relief
 reliefOf tables least frames =
   Relief
@@ -59,21 +59,22 @@ reliefOf tables least frames =
     scales = map (reliefScale . fitTo tables process) coefficients
     over scale = mapRaster (* (if scale > 0 then 1 / sqrt scale else 0))
 
--- | The weights for patches of that width and height.
+-- | The weights for patches of the given width and height.
 weightsOf :: Relief -> (Int, Int) -> PatchWeights
 weightsOf relief (w, h) =
   fromMaybe
     (patchWeights (reliefProcess relief) (w, h))
     (reliefWeights relief Boxed.!? h >>= (Boxed.!? w))
 
--- | Whole displacements, taxels right and down: the first, and how many across and down.
+-- | A rectangle of whole displacements, taxels right and down: the first, and the numbers across
+-- and down.
 data Displacements = Displacements
   { displacementsFirst :: !(Int, Int),
     displacementsSize :: !(Int, Int)
   }
   deriving stock (Eq, Show)
 
--- | The whole displacements within a distance of a nominal one along each axis, at least one.
+-- | The whole displacements within the search of a nominal one along each axis, at least one.
 displacementsAround :: Taxels -> Double -> Displacements
 displacementsAround (x, y) search = Displacements (x0, y0) (x1 - x0 + 1, y1 - y0 + 1)
   where
@@ -83,21 +84,21 @@ displacementsAround (x, y) search = Displacements (x0, y0) (x1 - x0 + 1, y1 - y0
     line t =
       let from = ceiling (t - search - 1e-9) in (from, max from (floor (t + search + 1e-9)))
 
--- | All of them, row by row.
+-- | All displacements, row by row.
 allOf :: Displacements -> [(Int, Int)]
 allOf (Displacements (x0, y0) (columns, rows)) =
   [(x, y) | y <- [y0 .. y0 + rows - 1], x <- [x0 .. x0 + columns - 1]]
 
--- | L, row by row, of two of the frames by their numbers, the second's upper left pixel lying at
--- each of the displacements in the first; at a nominal one the overlap has its usual weight.
+-- | L, row by row, of two frames given by number. The second's upper left pixel lies at each
+-- displacement in the first. The nominal displacement sets the weight of overlaps.
 --
--- An overlap of less than two taxels tells nothing: 0. See Note [Weights of overlaps].
+-- An overlap of less than two taxels has L = 0. See Note [Weights of overlaps].
 overlapLogs :: Relief -> (Int, Int) -> Taxels -> Displacements -> Vector Double
 overlapLogs relief (k, l) (nominalX, nominalY) (Displacements (x0, y0) (columns, rows)) =
   V.generate (columns * rows) at
   where
     (a, b) = (reliefFrames relief Boxed.! k, reliefFrames relief Boxed.! l)
-    -- What both have in common at each displacement along x; its rows are transformed once.
+    -- The common part at each displacement along x; its rows are transformed once.
     strips = Boxed.generate columns $ \column ->
       let Common xa xb w = across (x0 + column)
        in (w, strip (reliefCosines relief) a xa w, strip (reliefCosines relief) b xb w)
@@ -119,12 +120,12 @@ overlapLogs relief (k, l) (nominalX, nominalY) (Displacements (x0, y0) (columns,
        in fromIntegral (max 1 (w * h))
 
 {- Note [Weights of overlaps] Every overlap counts as much as the nominal one, within a factor of
-   two. Relief that is the same everywhere along an axis would else be drawn to where more of it is
-   seen. -}
+   two. Otherwise relief that is constant along an axis would be drawn to where the overlap is
+   larger. -}
 
 -- | How far beyond a whole displacement the second of two frames lies in the first, at most half a
--- taxel along each axis: by least squares of their difference against the slopes of both. With it
--- its precision along each axis, inverse square taxels.
+-- taxel along each axis. It is the least-squares fit of their difference to the slopes of both.
+-- Also its precision along each axis, inverse square taxels.
 between :: Relief -> (Int, Int) -> (Int, Int) -> (Taxels, Taxels)
 between relief (k, l) displacement = case patchesAt a b displacement of
   Just ((w, h), pa, pb)
@@ -135,7 +136,7 @@ between relief (k, l) displacement = case patchesAt a b displacement of
   _ -> ((0, 0), (0, 0))
   where
     (a, b) = (reliefFrames relief Boxed.! k, reliefFrames relief Boxed.! l)
-    -- Of mean 0, and as high as the lower one.
+    -- Of mean 0, scaled to the lower of both.
     levelled height patch = V.map (* (height / max 1e-9 (deviation patch))) (centred patch)
     centred patch = V.map (subtract (V.sum patch / fromIntegral (V.length patch))) patch
     deviation patch =
@@ -156,22 +157,22 @@ between relief (k, l) displacement = case patchesAt a b displacement of
       where
         determinant = xx * yy - xy * xy
     half = max (-0.5) . min 0.5
-    -- Of the difference.
+    -- The noise variance of the difference.
     noise = 2 * processNoise (reliefProcess relief)
 
--- | What two stretches have in common along an axis: from where on in the first, from where on in
--- the second, and how much.
+-- | The overlap of two intervals: its start in the first, its start in the second, and its length.
 data Common = Common !Int !Int !Int
 
--- | What stretches of those lengths have in common where the second starts at that place of the
--- first; 0 if nothing.
+-- | The overlap of intervals of lengths m and n, if the second starts at d of the first; length 0
+-- if they do not meet.
 inCommon :: Int -> Int -> Int -> Common
 inCommon m n d = Common from (from - d) (max 0 (min m (d + n) - from))
   where
     from = max 0 d
 
--- | The pixels of two images at the same places, row by row, with their width and height, where the
--- second's upper left pixel lies at that place in the first; 'Nothing' if the images do not meet.
+-- | The pixels of two images where they overlap, row by row, with the overlap's width and height.
+-- The displacement is the place of the second's upper left pixel in the first. 'Nothing' if they do
+-- not overlap.
 patchesAt :: Raster -> Raster -> (Int, Int) -> Maybe ((Int, Int), Vector Double, Vector Double)
 patchesAt a b (dx, dy)
   | w <= 0 || h <= 0 = Nothing

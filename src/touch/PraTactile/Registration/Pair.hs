@@ -1,5 +1,5 @@
--- | Two frames registered: where the second lies in the first, how sure that is, and where it
--- cannot be told, why.
+-- | Registers two frames: where the second lies in the first, how certain that is, and if it is not
+-- certain, why.
 module PraTactile.Registration.Pair
   ( -- * What is asked
     Pairing (..),
@@ -41,24 +41,25 @@ data PairMethod
     Blind
   | -- | by the lattice of cells: pitch and alphabet known, the array not
     Lattice
-  | -- | by the lattice where the frames are likelier to show it than anything else, else blind
+  | -- | by the lattice if the frames show it rather than anything else, otherwise blind
     Auto
   deriving stock (Eq, Ord, Show, Enum, Bounded)
 
--- | What is asked.
+-- | The question: a nominal step, and how to search.
 data Pairing = Pairing
-  { -- | Where the second frame's upper left pixel should lie in the first, taxels right and down.
+  { -- | The nominal place of the second frame's upper left pixel in the first, taxels right and
+    -- down.
     pairingStep :: !Taxels,
-    -- | How far around it to search along each axis, taxels; taken for two standard deviations of
-    -- the robot's error.
+    -- | How far around it to search along each axis, taxels; it stands for two standard deviations
+    -- of the robot's error.
     pairingSearch :: !Double,
     pairingMethod :: !PairMethod,
-    -- | The probability from which on an answer is given.
+    -- | The least probability of an answer.
     pairingConfidence :: !Double
   }
   deriving stock (Eq, Show)
 
--- | A step, searched 3 taxels around, by the better method, given from 0.99 on.
+-- | A pairing at a nominal step: a search of 3 taxels, the better method, a confidence of 0.99.
 standardPairing :: Taxels -> Pairing
 standardPairing step = Pairing step 3 Auto 0.99
 
@@ -66,32 +67,32 @@ standardPairing step = Pairing step 3 Auto 0.99
 data Refusal
   = -- | A frame shows nothing but noise.
     Blank
-  | -- | One axis is fixed, the other is not.
+  | -- | One axis is determined, the other is not.
     OneAxis
-  | -- | Several places fit alike.
+  | -- | Several places fit equally well.
     Ambiguous
-  | -- | The frames do not meet anywhere in the search.
+  | -- | The frames do not overlap anywhere in the search.
     NoOverlap
   deriving stock (Eq, Ord, Show, Enum, Bounded)
 
--- | What is answered.
+-- | The answer.
 data Match = Match
   { matchRefusal :: !(Maybe Refusal),
-    -- | Where the second frame's upper left pixel most probably lies in the first, taxels right and
-    -- down; also where it was refused.
+    -- | The most probable place of the second frame's upper left pixel in the first, taxels right
+    -- and down. It is given even if refused.
     matchBest :: !Hypothesis,
     -- | The standard deviations along both axes, taxels.
     matchDeviations :: !Taxels,
-    -- | Whether the displacement along x, and along y, is fixed, each taken by itself.
+    -- | Whether the displacement along x, and along y, is determined, each by itself.
     matchFixed :: !(Bool, Bool),
     -- | The method that was used; never 'Auto'.
     matchMethod :: !PairMethod,
-    -- | The best and others.
+    -- | The best place and alternatives.
     matchHypotheses :: ![Hypothesis]
   }
   deriving stock (Eq, Show)
 
--- | Why nothing can be asked.
+-- | Why a question is invalid.
 data PairError
   = -- | The frames differ in size: width and height of each.
     PairSizes !(Int, Int) !(Int, Int)
@@ -104,7 +105,7 @@ data PairError
     UnusablePairing !Pairing
   deriving stock (Eq, Show)
 
--- | What is computed once for frames of one size.
+-- | Tables for frames of one size.
 data Tables = Tables
   { tablesTemplates :: Templates,
     tablesSpectra :: Spectra
@@ -114,7 +115,7 @@ data Tables = Tables
 tablesFor :: Alphabet -> Int -> Int -> Tables
 tablesFor known w h = Tables (templates known 0 w h) (spectra w h)
 
--- | Where the second frame lies in the first. The tables must be for frames of their size.
+-- | Registers two frames. The tables must be for frames of their size.
 registerPair :: Tables -> Pairing -> Raster -> Raster -> Either PairError Match
 registerPair tables pairing a b
   | size /= rasterSize b = Left (PairSizes size (rasterSize b))
@@ -150,16 +151,16 @@ matched tables (Pairing step search method confidence) a b =
       | method /= Auto = method
       | latticed = Lattice
       | otherwise = Blind
-    -- Whether the frames are likelier to show the lattice than any other relief, if they are large
-    -- enough for a symbol.
+    -- Whether the frames are likelier under the lattice than under any other relief, if they are
+    -- large enough for a symbol.
     latticed =
       min w h >= symbolWidth && sum (map logDensity evidences) > sum densities
     found = case (used, evidences) of
       (Lattice, [ea, eb]) -> latticePosterior step search ea eb
       (Correlation, _) -> correlationPosterior step search a b
       _ -> blindPosterior relief step search
-    -- The best guess may be what noise seems to tell along straight edges, or the place of a
-    -- lattice that is not there; but it is not sure.
+    -- The best guess may come from noise along straight edges, or from a lattice that is not there.
+    -- Its probability then comes from the corrected posterior.
     sure = case used of
       Blind -> alongStraight step search (a, b) found
       Lattice | not latticed -> priorAlone search step found
@@ -181,13 +182,13 @@ matched tables (Pairing step search method confidence) a b =
       | uncurry (/=) fixed = Just OneAxis
       | otherwise = Just Ambiguous
 
--- | Whether frames of a size meet anywhere in the search.
+-- | Whether frames of a size overlap anywhere in the search.
 meeting :: (Int, Int) -> Taxels -> Double -> Bool
 meeting (w, h) (x, y) search =
   abs x - search <= fromIntegral w - 1 && abs y - search <= fromIntegral h - 1
 
--- | Whether a frame shows nothing but white noise: no process of relief makes it likelier than that
--- by 'telling'.
+-- | Whether a frame shows only white noise: no process of relief is likelier than that by
+-- 'telling'.
 blank :: (Raster, V.Vector Double, Double) -> Bool
 blank (image, coefficients, logs) =
   flat image || logs - whiteness coefficients < telling

@@ -1,7 +1,7 @@
 {-# OPTIONS_HADDOCK hide #-}
 
--- | Frames at their nominal places, each once: their sensors' rotations undone, at the canonical
--- pitch.
+-- | Frames at their nominal places, each once, at the canonical pitch, with their sensors'
+-- rotations undone.
 module PraTactile.Registration.Placed
   ( Placed (..),
     placed,
@@ -40,13 +40,14 @@ data Placed = Placed
   { -- | Where the centre of its upper left pixel is, millimetres.
     placedAt :: !Taxels,
     placedImage :: !Raster,
-    -- | The share of each pixel that living elements felt, where some are dead.
+    -- | The share of each pixel that living elements felt, if some are dead.
     placedFelt :: !(Maybe Raster),
-    -- | The weight of each pixel, where some of a tilted press hardly touch.
+    -- | The weight of each pixel, if some of a tilted press hardly touch.
     placedTouch :: !(Maybe Raster)
   }
 
--- | A frame as it is placed; 'Nothing' if it is too small to be turned by its rotation.
+-- | Undoes a frame's rotation, at the canonical pitch; 'Nothing' if the frame is too small for
+-- that.
 placed :: Frame -> Maybe Placed
 placed given = do
   image <- seen given
@@ -62,7 +63,7 @@ placed given = do
     (wide, high) = rasterSize (frameImage given)
     half side = taxelPitch * fromIntegral (side - 1) / 2
 
--- | The frames as even presses would read them, where they are tilted.
+-- | The frames as even presses would read them; 'Nothing' unless they are tilted.
 evenedPlaced :: NonEmpty Placed -> Maybe (NonEmpty Placed)
 evenedPlaced frames = do
   images <- evened (map placedImage (toList frames))
@@ -72,30 +73,30 @@ evenedPlaced frames = do
 
 -- | Frames of one face.
 data Scene = Scene
-  { -- | The least x and y of the frames' upper left pixels, millimetres. Places are taxels from
-    -- here.
+  { -- | The least x and y of the frames' upper left pixels, millimetres: the origin of places,
+    -- which are in taxels.
     sceneCorner :: !Taxels,
-    -- | The frames, row by row from the top, each once. Their order tells nothing, and a frame that
-    -- comes twice is one witness.
+    -- | The frames without duplicates, row by row from the top. The order of frames carries no
+    -- information, and a duplicate is no second witness.
     sceneSeen :: NonEmpty Placed,
-    -- | Which of these each frame is that was given.
+    -- | For each given frame its index in 'sceneSeen'.
     sceneGiven :: [Int]
   }
 
--- | The scene of frames in any order.
+-- | Makes the scene of frames in any order.
 sceneOf :: NonEmpty Placed -> Scene
 sceneOf given = Scene corner (fmap (\((_, one) :| _) -> one) groups) (IntMap.elems numbers)
   where
     corner = (minimum (fmap (fst . placedAt) given), minimum (fmap (snd . placedAt) given))
     groups = NonEmpty.groupAllWith1 (key . snd) (NonEmpty.zip (0 :| [1 ..]) given)
-    -- Row by row, and all that the frame shows.
+    -- Row by row, and then by all that the frame shows.
     key p = (swap (fromCorner corner p), shown (placedImage p), shown <$> placedFelt p)
     shown = rasterValues
     numbers =
       IntMap.fromList [(k, n) | (n, same) <- zip [0 ..] (toList groups), (k, _) <- toList same]
 
--- | Where the places of a scene count from in the robot's own coordinates, taxels. The robot's axes
--- and its scale are of these.
+-- | The origin of a scene's places in the robot's coordinates, taxels. The robot's axes and scale
+-- refer to these coordinates.
 robotOrigin :: Scene -> Taxels
 robotOrigin scene = let (left, top) = sceneCorner scene in (inTaxels left, inTaxels top)
 
@@ -106,14 +107,14 @@ placeIn = fromCorner . sceneCorner
 fromCorner :: Taxels -> Placed -> Taxels
 fromCorner (left, top) p = let (x, y) = placedAt p in (inTaxels (x - left), inTaxels (y - top))
 
--- | What is known of each frame that was given, in their order, from what is known of those seen.
+-- | Expands values of the frames in 'sceneSeen' to all given frames, in their order.
 ofEachFrame :: Scene -> [b] -> [b]
 ofEachFrame scene known = [one | n <- sceneGiven scene, Just one <- [IntMap.lookup n numbered]]
   where
     numbered = IntMap.fromList (zip [0 ..] known)
 
--- | Millimetres as taxels, rounded to a millionth of one, so that rounding errors of the poses do
--- not decide anything.
+-- | Converts millimetres to taxels, rounded to a millionth of one, so that rounding errors of poses
+-- decide nothing.
 inTaxels :: Double -> Double
 inTaxels t
   | abs taxels < 1e9 = fromIntegral (round (taxels * million) :: Int) / million

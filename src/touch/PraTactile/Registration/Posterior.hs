@@ -1,8 +1,7 @@
 {-# LANGUAGE BangPatterns #-}
 {-# OPTIONS_HADDOCK hide #-}
 
--- | What is known of a displacement: a probability on each point of a grid, and what follows from
--- it.
+-- | The posterior of a displacement on a grid, and estimates from it.
 module PraTactile.Registration.Posterior
   ( Posterior (..),
     posterior,
@@ -27,17 +26,16 @@ import PraTactile.Registration.Numbers (tolerance)
 data Posterior = Posterior
   { -- | The first displacement, taxels.
     posteriorOrigin :: !Taxels,
-    -- | From one to the next, taxels.
+    -- | The spacing of the grid, taxels.
     posteriorSpacing :: !Double,
-    -- | How many there are across and down.
+    -- | The numbers of displacements across and down.
     posteriorSize :: !(Int, Int),
     -- | Their probabilities, row by row; the sum is 1.
     posteriorMasses :: !(Vector Double)
   }
   deriving stock (Eq, Show)
 
--- | The posterior from the logarithms of what is proportional to the probabilities. Where none is
--- finite all are alike.
+-- | Normalises log weights to a posterior. If none is finite, it is uniform.
 posterior :: Taxels -> Double -> (Int, Int) -> Vector Double -> Posterior
 posterior origin spacing size logs = Posterior origin spacing size (V.map (/ total) masses)
   where
@@ -55,8 +53,8 @@ data Hypothesis = Hypothesis
   }
   deriving stock (Eq, Show)
 
--- | The most probable displacements, the best first, none of which shares a grid point with
--- another: at most so many, each of at least that probability. There is always one.
+-- | At most the given number of the most probable displacements, the best first, each of at least
+-- the given probability. No two share a grid point. There is always one.
 hypotheses :: Int -> Double -> Posterior -> [Hypothesis]
 hypotheses most least given = case go most (posteriorMasses given) of
   [] -> [fst (bestOf given)]
@@ -81,9 +79,10 @@ probabilityAround (Posterior (ox, oy) spacing (columns, _) masses) (x, y) =
             && near (oy + spacing * fromIntegral row - y)
     near t = abs t <= tolerance + 1e-6
 
--- | The displacement with the most probability around it, and the grid points that count there: the
--- stretches of points that hold the most; within them the mean, as near as the tolerance lets it be
--- to the points that hold all but a thousandth of that.
+-- | The displacement with the most probability within 'tolerance', and the grid points that count
+-- there. It takes the window of points that holds most. There it takes the mean, clamped to within
+-- 'tolerance' of the outermost points that matter: those of all but a thousandth of the
+-- probability.
 bestOf :: Posterior -> (Hypothesis, Int -> Bool)
 bestOf (Posterior (ox, oy) spacing (columns, rows) masses) =
   (Hypothesis (ox + spacing * bestX, oy + spacing * bestY) (max 0 (min 1 held)), inside)
@@ -117,8 +116,8 @@ bestOf (Posterior (ox, oy) spacing (columns, rows) masses) =
         first' = fromIntegral (from + slight line)
         last' = fromIntegral (from + length line - 1 - slight (reverse line))
 
--- | The stretches of grid points that lie within 'tolerance' of one place, as the first and the one
--- after the last: as long as can be.
+-- | The longest windows of grid points that lie within 'tolerance' of one place, as the first index
+-- and the one after the last.
 windows :: Double -> Int -> [(Int, Int)]
 windows spacing n
   | n <= longest = [(0, n)]
@@ -133,7 +132,7 @@ integralOf columns rows masses =
     below above y =
       zipWith (+) above (scanl (+) 0 (V.toList (V.slice (y * columns) columns masses)))
 
--- | The standard deviations along x and y, taxels, with that of a grid's cell.
+-- | The standard deviations along x and y, taxels, including that of a grid cell.
 deviations :: Posterior -> Taxels
 deviations (Posterior _ spacing (columns, _) masses) = (along snd, along fst)
   where
@@ -148,7 +147,7 @@ deviations (Posterior _ spacing (columns, _) masses) = (along snd, along fst)
             0
             masses
 
--- | The probability that the best along each axis, taken by itself, is right.
+-- | The probability of the best window along x, and along y, each by itself.
 marginals :: Posterior -> (Double, Double)
 marginals (Posterior _ spacing (columns, rows) masses) = (best columns across, best rows down)
   where
@@ -157,9 +156,8 @@ marginals (Posterior _ spacing (columns, rows) masses) = (best columns across, b
     best n line =
       maximum (0 : [V.sum (V.slice from (to - from) line) | (from, to) <- windows spacing n])
 
--- | The logarithm of the prior probability of a displacement from the nominal one, along both axes,
--- for errors that are looked for up to that many taxels: normal, of half that as standard
--- deviation.
+-- | The log prior of a displacement from the nominal one, for a search in taxels. It is normal
+-- along both axes, with half the search as standard deviation.
 priorAround :: Double -> Taxels -> Double
 priorAround search (x, y)
   | search <= 0 = 0
@@ -167,8 +165,8 @@ priorAround search (x, y)
   where
     sigma = search / 2
 
--- | What is known of the displacements on a grid before anything is seen: 'priorAround' the nominal
--- one, with that search.
+-- | The prior on the grid of a posterior: 'priorAround' the nominal displacement, for a search in
+-- taxels.
 priorAlone :: Double -> Taxels -> Posterior -> Posterior
 priorAlone search (stepX, stepY) (Posterior origin@(ox, oy) spacing size@(columns, rows) _) =
   posterior origin spacing size $

@@ -1,7 +1,7 @@
 {-# LANGUAGE BangPatterns #-}
 {-# OPTIONS_HADDOCK hide #-}
 
--- | How far frames at their places are from one another, in grey values.
+-- | The differences between frames at their places, in grey values.
 module PraTactile.Registration.Residual
   ( residual,
   )
@@ -12,8 +12,8 @@ import PraTactile.Composite.Blend (Blend (..), Taxels, blend)
 import PraTactile.Image (Raster, rasterHeight, rasterValues, rasterWidth)
 import PraTactile.Image.Correlate (Reference, reference, referenceAt)
 
--- | The standard deviation of one frame from what others saw, over all pixels of all frames that
--- others saw, grey values: of images at their places, in taxels. 'Nothing' where none overlap.
+-- | The standard deviation of one frame from the others, over all pixels that others saw, grey
+-- values. Images come with their places, in taxels. 'Nothing' if none overlap.
 residual :: [(Taxels, Raster)] -> Maybe Double
 residual placed
   | total > 0 = Just (sqrt (sum [s * n | (s, n) <- found] / total))
@@ -22,8 +22,9 @@ residual placed
     found = differencesOf placed
     total = sum (map snd found)
 
--- | For each frame the mean square of its differences from the blend of all, as if the others had
--- no noise and no part of it were its own, and how many pixels others saw.
+-- | For each frame the mean squared difference from the others, and the number of pixels that
+-- others saw. It comes from the blend of all, corrected for the frame's own part and for the
+-- others' noise.
 differencesOf :: [(Taxels, Raster)] -> [(Double, Double)]
 differencesOf placed = map each onGrid
   where

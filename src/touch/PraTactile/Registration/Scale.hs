@@ -1,7 +1,7 @@
 {-# OPTIONS_HADDOCK hide #-}
 
--- | The scales at which positions would fit what the frames show: positions in another unit, or
--- counted in steps, differ from the true ones by a factor across and down.
+-- | The scales of positions that fit what the frames show. Positions in another unit, or counted in
+-- steps, differ from the true ones by a factor across and down.
 module PraTactile.Registration.Scale
   ( likelyScales,
   )
@@ -12,12 +12,12 @@ import Data.Ord (Down (..))
 import PraTactile.Composite.Blend (Taxels)
 import PraTactile.Registration.Numbers (greatestExtent, leastExtent, mostScales)
 
--- | The scales across and down, of both axes alike or of one, that make nominal places (taxels)
--- likelier than they are. Given is the log-likelihood of places. At most 'mostScales', the
+-- | The scales across and down, of both axes alike or of one, at which nominal places (taxels) are
+-- likelier than as given. The function is the log-likelihood of places. At most 'mostScales', the
 -- likeliest first.
 --
--- Scales are tried on a grid that moves the outermost frame by less than a taxel from one to the
--- next, as far as all frames then lie within 'greatestExtent'.
+-- From one scale to the next the outermost frame moves by less than a taxel. The largest extent is
+-- 'greatestExtent'.
 likelyScales :: ([Taxels] -> Double) -> [Taxels] -> [(Double, Double)]
 likelyScales likely places =
   map snd . take mostScales . sortOn (Down . fst) $
@@ -40,13 +40,13 @@ likelyScales likely places =
           here > c
       ]
 
--- | The scales for places of an extent, ascending: none where all places are the same.
+-- | The scales to try for places of an extent, ascending: none for an extent of 0.
 scalesOf :: Double -> [Double]
 scalesOf extent
   | extent <= 0 = []
   | otherwise = [t / extent | t <- takeWhile (< greatestExtent) (iterate (+ 1) leastExtent)]
 
--- | The middle of some numbers, and how far apart the outermost two are.
+-- | The middle and the extent of some numbers.
 spread :: [Double] -> (Double, Double)
 spread ts = ((least + most) / 2, most - least)
   where

@@ -1,6 +1,6 @@
 {-# OPTIONS_HADDOCK hide #-}
 
--- | What registration supposes of the robot and the sensor.
+-- | Assumptions of registration about the robot and the sensor.
 module PraTactile.Registration.Settings
   ( Registration (..),
     standardRegistration,
@@ -13,22 +13,22 @@ where
 
 import Data.Maybe (fromMaybe)
 
--- | What registration supposes of the robot and the sensor, and how far it goes.
+-- | Assumptions about the robot and the sensor, and limits of the search.
 data Registration = Registration
-  { -- | The standard deviation of the robot's position error along each axis, in taxels, that the
-    -- robot is known for; 'Nothing' where it is unknown.
+  { -- | The known standard deviation of the robot's position error along each axis, in taxels;
+    -- 'Nothing' if unknown.
     registrationSigma :: !(Maybe Double),
     -- | The standard deviation of the sensor's noise, as a share of full scale.
     registrationNoise :: !Double,
-    -- | How far from where it is expected a frame is looked for, in standard deviations of the
-    -- position error.
+    -- | How far from its expected place a frame is searched, in standard deviations of the position
+    -- error.
     registrationReach :: !Double,
     -- | The most sweeps that register each frame against the others.
     registrationSweeps :: !Int
   }
   deriving stock (Eq, Show)
 
--- | An unknown position error, noise of 0.1, a reach of four and a half standard deviations, at
+-- | An unknown position error, noise of 0.1, a reach of four and a half standard deviations, and at
 -- most five sweeps.
 standardRegistration :: Registration
 standardRegistration =
@@ -39,20 +39,20 @@ standardRegistration =
       registrationSweeps = 5
     }
 
--- | The standard deviation of the position error, in taxels, where one has to be supposed: the one
--- known, else one taxel.
+-- | The standard deviation of the position error to assume, in taxels: the known one, else one
+-- taxel.
 supposedSigma :: Registration -> Double
 supposedSigma = fromMaybe 1 . registrationSigma
 
--- | The least and the greatest standard deviation, in taxels, that the position error may have. If
--- it is unknown: from half a taxel to four, a quarter of the pitch. If it is known: from half of it
--- to twice, but beyond four taxels no further than it is.
+-- | The least and the greatest standard deviation, in taxels, that the position error may have.
+-- Unknown, it goes from half a taxel to four, a quarter of the pitch. Known, it goes from half of
+-- it to twice, but at most to four taxels or the known value, whichever is larger.
 sigmasFor :: Registration -> (Double, Double)
 sigmasFor = maybe (0.5, 4) near . registrationSigma
   where
     near sigma = (sigma / 2, max sigma (min 4 (2 * sigma)))
 
--- | How far from where it is expected a frame is looked for, in taxels.
+-- | How far from its expected place a frame is searched, in taxels.
 searchRadius :: Registration -> Double
 searchRadius settings = registrationReach settings * supposedSigma settings
 

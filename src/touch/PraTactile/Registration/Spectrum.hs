@@ -1,18 +1,18 @@
 {-# OPTIONS_HADDOCK hide #-}
 
--- | Relief as a stationary normal process plus white noise, by the discrete cosine transform, which
--- nearly makes its coefficients independent: which process a frame is likely of, and how much
--- likelier two patches are when they show one relief than when they show two.
+-- | Relief as a stationary normal process plus white noise. The discrete cosine transform makes its
+-- coefficients nearly independent. This module finds the likeliest process of frames, and the
+-- likelihood ratio of one relief to two for a pair of patches.
 --
 -- A coefficient of frequency u across and v down (not both 0) is normal, of variance s (S + n),
 -- independent of the others. S is a spectrum of Matern's family (Stein, Interpolation of Spatial
--- Data, 1999), of mean 1, with smoothness nu and range r (taxels); n is the noise's share. They are
--- the likeliest of all frames, and so is each frame's own scale s:
+-- Data, 1999), of mean 1, with smoothness nu and range r (taxels); n is the noise's share. These
+-- are the likeliest for all frames together. The scale s is the likeliest for each frame:
 --
 -- > S ~ (1 + r^2 ((pi u / width)^2 + (pi v / height)^2) / (2 nu - 1)) ^ -nu
 --
--- With A and B the coefficients of what two frames have in common, over the roots of their scales,
--- and p = kappa S for relief that is kappa times as high there:
+-- A and B are the coefficients of the overlap in two frames, divided by the roots of the frames'
+-- scales. For relief that is kappa times as high there, p = kappa S:
 --
 -- > one relief:   A and B have variance p + n, and covariance C p
 -- > two reliefs:  covariance 0, each with a kappa of its own
@@ -51,12 +51,12 @@ import PraTactile.Registration.Loops
 import PraTactile.Registration.Model (logSum)
 import PraTactile.Registration.Numbers (alike, gainVariance, mostNoise, tempering)
 
--- | Tables for frames of a size; each is made when it is first looked at.
+-- | Tables for frames of one size; each is computed on first use.
 data Spectra = Spectra
   { spectraSize :: !(Int, Int),
     spectraCosines :: !Cosines,
-    -- | Of whole frames, by shape and share of the noise: the inverse variances of the
-    -- coefficients, and the sum of the logarithms of the variances.
+    -- | For whole frames, by shape and noise share: the inverse variances of the coefficients, and
+    -- the sum of the log variances.
     spectraWhole :: !(Boxed.Vector (Vector Double, Double))
   }
 
@@ -78,7 +78,7 @@ spectra w h =
 coefficientsOf :: Spectra -> Raster -> Vector Double
 coefficientsOf = cosineTransform . spectraCosines
 
--- | Smoothness and range (taxels) of the processes.
+-- | Smoothness and range (taxels) of the processes that are tried.
 shapesOfSpectrum :: [(Double, Double)]
 shapesOfSpectrum = [(nu, range) | nu <- [1.5, 2.5, 4], range <- [1, 1.5, 2.2, 3.3, 5]]
 
@@ -90,7 +90,8 @@ noiseCount = length noiseShares
 noiseShares :: [Double]
 noiseShares = [1e-6, 3e-5, 5e-4, 0.003, 0.01, 0.03, 0.07, 0.15, 0.3, 0.6, 1.2, 2.5, 5, 25, 125]
 
--- | The variances of a patch's coefficients, without the mean's, for a process of variance 1.
+-- | The variances of a patch's coefficients, without the mean's, for the s-th process, of variance
+-- 1.
 powers :: Int -> Int -> Int -> Vector Double
 powers w h s = V.generate (max 0 (k * m - 1)) (power . (+ 1))
   where
@@ -118,8 +119,8 @@ density :: Double -> Double -> Double -> Double -> Double
 density nu range fx fy =
   range * range * (1 + range * range * (fx * fx + fy * fy) / (2 * nu - 1)) ** negate nu
 
--- | The variance of each process before it is made 1: the mean over both frequencies, of which one
--- as well as the other may be the greater.
+-- | The variance of each process before scaling: the mean over both frequencies, which may be
+-- exchanged.
 normalisers :: Vector Double
 normalisers =
   V.fromList
@@ -134,7 +135,7 @@ normalisers =
 
 -- | A process and its noise.
 data Process = Process
-  { -- | Which of the processes that are tried.
+  { -- | Its index among the processes that are tried.
     processIndex :: !Int,
     -- | The noise's variance as a share of the relief's.
     processNoise :: !Double
@@ -142,8 +143,8 @@ data Process = Process
   deriving stock (Eq, Show)
 
 -- | The likeliest process of frames, from their coefficients ('cosineTransform'), each frame with
--- its own scale; among those whose noise has at least that share of the relief's variance, and if
--- that is no more than 'mostNoise', no more than this.
+-- its own scale. Its noise has at least the given share of the relief's variance. It has at most
+-- 'mostNoise' or that share, whichever is larger.
 processOf :: Spectra -> Double -> [Vector Double] -> Process
 processOf tables least frames = numbered (V.maxIndex scores)
   where
@@ -156,7 +157,7 @@ processOf tables least frames = numbered (V.maxIndex scores)
             then -1 / 0
             else sum (map (densityLog . fitted tables process) squares)
 
--- | A frame under a process.
+-- | The fit of a process to a frame.
 data Fitted = Fitted
   { -- | The logarithm of the probability density of the frame, standardised to variance 1.
     densityLog :: !Double,
@@ -164,11 +165,11 @@ data Fitted = Fitted
     reliefScale :: !Double
   }
 
--- | A frame under a process, from its coefficients.
+-- | Fits a process to a frame, given the frame's coefficients.
 fitTo :: Spectra -> Process -> Vector Double -> Fitted
 fitTo tables process = fitted tables process . V.map (\x -> x * x)
 
--- | A frame under a process, from the squares of its coefficients.
+-- | Fits a process to a frame, given the squares of the frame's coefficients.
 fitted :: Spectra -> Process -> Vector Double -> Fitted
 fitted tables process squares
   | total <= rounding = Fitted 0 0
@@ -181,42 +182,43 @@ fitted tables process squares
     n = fromIntegral (V.length squares)
     scale = dot squares inverses / n
 
--- | The logarithm of the probability density of a standardised frame with that many coefficients if
--- it is white noise and nothing else.
+-- | The log density of a standardised frame under white noise; of the coefficients only the number
+-- matters.
 whiteness :: Vector Double -> Double
 whiteness c = negate n / 2 * (1 + log (2 * pi))
   where
     n = fromIntegral (V.length c)
 
--- | How high the relief of a patch may be, as shares of the process's variance: relief is not alike
--- everywhere, and two patches of a gap are alike without saying much.
+-- | The heights of a patch's relief that are tried, as shares of the process's variance. Relief
+-- varies from place to place, and two patches of a gap look alike without being informative.
 reliefHeights :: [Double]
 reliefHeights = [0.003, 0.08, 0.4, 1.5]
 
 -- | Patches of one width and height under a process.
 data PatchWeights = PatchWeights
-  { -- | By the greatest of 'reliefHeights'.
+  { -- | For the greatest of 'reliefHeights'.
     weightsHighest :: ApartWeights,
-    -- | At each of 'reliefHeights': of two reliefs, and of one by each of 'coherences'.
+    -- | For each of 'reliefHeights': the weights under two reliefs, and under one relief by each of
+    -- 'coherences'.
     weightsByHeight :: [(ApartWeights, [PairWeights])]
   }
 
--- | One coefficient is normal: its inverse variance, coefficient by coefficient, and half the sum
--- of the logarithms of the variances.
+-- | For one normal coefficient: its inverse variance, coefficient by coefficient, and half the sum
+-- of the log variances.
 data ApartWeights = ApartWeights !(Vector Double) !Double
 
--- | Two coefficients are jointly normal: what a square and what their product count, coefficient by
--- coefficient, and half the sum of the logarithms of the determinants.
+-- | For two jointly normal coefficients: the weights of a square and of their product, coefficient
+-- by coefficient, and half the sum of the log determinants.
 data PairWeights = PairWeights !(Vector Double) !(Vector Double) !Double
 
--- | What share of a coefficient's relief two frames have in common, for patches of that width and
--- height: all of it; what is left of it within half a taxel; and 'alike' of that.
+-- | The share of a coefficient's relief that two frames have in common, for patches of the given
+-- width and height: all of it; what is left of it within half a taxel; and 'alike' of that.
 coherences :: Int -> Int -> [Vector Double]
 coherences w h = [V.map (const 1) nearly, nearly, V.map (* alike) nearly]
   where
     nearly = coherence w h
 
--- | The weights for patches of that width and height under a process.
+-- | The weights for patches of the given width and height under a process.
 patchWeights :: Process -> (Int, Int) -> PatchWeights
 patchWeights process (w, h) =
   PatchWeights
@@ -240,13 +242,13 @@ patchWeights process (w, h) =
         covariances = V.zipWith (\s c -> height * s * c) power coherent
         determinants = V.zipWith (\v c -> v * v - c * c) variances covariances
 
--- | How much likelier, as a natural logarithm, two patches are of one relief than of two: from
--- their coefficients, each divided by the root of its frame's scale. Relief is no normal process,
--- and the coefficients are not quite independent, so each counts for somewhat less: 'tempering'.
+-- | The log-likelihood ratio of one relief to two for a pair of patches, from their coefficients,
+-- each divided by the root of its frame's scale. 'tempering' reduces it, because relief is no
+-- normal process and the coefficients are not quite independent.
 --
--- The second frame may read e^g times what the first does, beyond the scales: g is what makes both
--- patches equally high, and its prior is normal, of variance 'gainVariance'. A patch without any
--- variation tells nothing.
+-- The second frame may read e^g times what the first does, beyond the scales. Here g makes both
+-- patches equally high; its prior is normal, of variance 'gainVariance'. A patch without variation
+-- gives 0.
 patchLog :: PatchWeights -> Vector Double -> Vector Double -> Double
 patchLog weights a b
   | high a <= 0 || high b <= 0 = 0

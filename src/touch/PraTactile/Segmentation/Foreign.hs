@@ -9,8 +9,8 @@
 -- symbol and sunken regions are foreign. They are removed from the composite as if untouched. The
 -- symbols beside them stay.
 module PraTactile.Segmentation.Foreign
-  ( Cleaned (..),
-    cleaned,
+  ( ForeignMasked (..),
+    maskForeign,
 
     -- * Foreign regions
     ForeignRegion (..),
@@ -29,27 +29,27 @@ import PraTactile.Segmentation.Region
 import PraTactile.Segmentation.Symbol
 
 -- | A composite with its foreign regions masked.
-data Cleaned = Cleaned
+data ForeignMasked = ForeignMasked
   { -- | the composite for cutting out symbols
-    cleanedComposite :: !Composite,
+    maskedComposite :: !Composite,
     -- | the composite for reading parts of symbols, if it differs: foreign regions of the symbols'
     -- height stay, because the part of a symbol beside one still shows its class
-    cleanedForParts :: !(Maybe Composite),
-    cleanedRejects :: ![Reject]
+    maskedByHeight :: !(Maybe Composite),
+    maskedRejects :: ![Reject]
   }
   deriving stock (Eq, Show)
 
 -- | Masks the regions of a composite that are longer than any symbol or sunken, and lists them.
 -- The composite stays unchanged if everything embossed looks like symbols, or nothing is embossed,
 -- and nothing is sunken.
-cleaned :: Composite -> Cleaned
-cleaned composite = case levels least (touchedValues pixels) of
+maskForeign :: Composite -> ForeignMasked
+maskForeign composite = case levels least (touchedValues pixels) of
   Just found
     | any (unlikeSymbols pixels) (parts (>= share 0.5 found))
         || any ((>= leastHollow) . length) (parts (<= share (-0.35) found)),
       Just (own, symbols) <- symbolLevels pixels least ->
       removed composite pixels (foreignIn pixels own symbols)
-  _ -> Cleaned composite Nothing []
+  _ -> ForeignMasked composite Nothing []
   where
     touched = masked composite
     pixels = smoothed touched
@@ -61,11 +61,11 @@ share :: Double -> Levels -> Double
 share part found = levelBackground found + part * contrast found
 
 -- | The composite without the given regions.
-removed :: Composite -> Masked -> [ForeignRegion] -> Cleaned
+removed :: Composite -> Masked -> [ForeignRegion] -> ForeignMasked
 removed composite pixels regions
-  | null regions = Cleaned composite Nothing []
+  | null regions = ForeignMasked composite Nothing []
   | otherwise =
-    Cleaned
+    ForeignMasked
       (without regions)
       (Just (without (filter foreignHeight regions)))
       [Reject (regionBox pixels region) cause | ForeignRegion region cause _ <- regions]

@@ -24,7 +24,7 @@ module PraTactile.Sensor.Press
     tabPoints,
 
     -- * The rigid press
-    nearer,
+    tiltRise,
     forceBalance,
     displacements,
 
@@ -137,8 +137,8 @@ forceBalance stiffness force tabs =
 
 -- | How much nearer to the face an element is than the sensor's centre: a x + b y. The arguments
 -- are the sensor's width and height, the tilts a and b (mm), and the element's column and row.
-nearer :: (Int, Int) -> (Double, Double) -> Int -> Int -> Double
-nearer (w, h) (a, b) i j = a * across w i + b * across h j
+tiltRise :: (Int, Int) -> (Double, Double) -> Int -> Int -> Double
+tiltRise (w, h) (a, b) i j = a * across w i + b * across h j
   where
     across n k = (2 * fromIntegral k + 1 - fromIntegral n) / fromIntegral n :: Double
 
@@ -151,7 +151,7 @@ displacements stiffness force tilts (Footing shares heights) =
   where
     (w, h) = rasterSize shares
     share x y = fromMaybe 0 (index shares x y)
-    rest x y = nearer (w, h) tilts x y + fromMaybe 0 (index heights x y)
+    rest x y = tiltRise (w, h) tilts x y + fromMaybe 0 (index heights x y)
     -- If no tab is reached, all shares are 0, and so are the compressions.
     z =
       fromMaybe 0 $

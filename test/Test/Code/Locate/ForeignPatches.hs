@@ -152,7 +152,7 @@ spec = do
                     foreignLikeliest = -(alike * log 2),
                     foreignSymmetry = 0,
                     foreignOthers = Nothing,
-                    foreignUnlike = -1 / 0
+                    foreignShape = -1 / 0
                   }
           -- 2^alike 0.995^cells / 2^1027 against 2^-cells.
           odds = alike * log 2 + fromIntegral cells * log 0.995 + 3 * log 2
@@ -176,7 +176,7 @@ spec = do
     fmap posteriorUnlisted (answerPosterior listed) `shouldSatisfy` (/= Just Nothing)
     byList <- foreignBy ListDecoder
     compared <- foreignBy PosteriorDecoder
-    let others = worthOfOthers (otherArrays (naturally array)) [identity] seen
+    let others = evidenceOfOthers (otherArrays (naturally array)) [identity] seen
     abs (byList - alone others) `shouldSatisfy` (< 1e-12)
     compared `shouldSatisfy` (< byList)
   it "no more answers are wrong than the doubts say, with 300 of 1500 patches foreign" $ do

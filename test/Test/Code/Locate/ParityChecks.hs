@@ -67,8 +67,8 @@ spec = do
                         queryRadius = Guaranteed,
                         queryDoubt = 0.99,
                         queryForeign = Nothing,
-                        queryUnlike = -1 / 0,
-                        queryBeforehand = Nothing
+                        queryForeignShape = -1 / 0,
+                        queryPrior = Nothing
                       }
                   theLocator = locator Nothing MostSignificantFirst (naturally array) window
                in classify (shape /= Shape 1 1) "more than a cell" $

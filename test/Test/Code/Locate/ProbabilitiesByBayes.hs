@@ -117,10 +117,10 @@ codebookSpec = do
                 locate $
                   locator (Just PosteriorDecoder) MostSignificantFirst (naturally array) window
               prior (Candidate _ (Position r c)) = cycle priors !! fromIntegral (r + 3 * c)
-              known = Just (\place -> Beforehand (prior place) [])
+              known = Just (\place -> CandidatePrior (prior place) [])
               ranking = fmap (Map.fromList . maybe [] posteriorRanking . answerPosterior) . located
            in whenRight (ranking question) $ \alone' ->
-                whenRight (ranking question {queryBeforehand = known}) $ \found ->
+                whenRight (ranking question {queryPrior = known}) $ \found ->
                   -- Places a 10^60th as likely as the likeliest are not weighed.
                   let weighed place x
                         | x >= 1e-60 * maximum alone' = x * exp (prior place)

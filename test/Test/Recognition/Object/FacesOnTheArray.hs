@@ -7,8 +7,8 @@ import Data.List (sort)
 import qualified Data.Map.Strict as Map
 import PraTactile.Array (Position (..), Shape (..))
 import PraTactile.Object.Canonical
+import PraTactile.Object.PaperObjects (cube)
 import PraTactile.Object.Placement hiding (Block, blockCells)
-import PraTactile.Object.Solid (cube)
 import PraTactile.Object.WingedEdge
 import Test.Effort
 import Test.Hspec

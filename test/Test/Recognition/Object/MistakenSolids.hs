@@ -11,7 +11,7 @@ module Test.Recognition.Object.MistakenSolids
 where
 
 import Data.List (nub)
-import PraTactile.Object.Solid
+import PraTactile.Object.PaperObjects
 import PraTactile.Object.WingedEdge
 
 tetrahedron :: [VertexName] -> Point -> Description

@@ -8,7 +8,7 @@ import Data.List (nub, sort)
 import PraTactile.Conformance.Laws.Solids (solids)
 import PraTactile.Object.Description (cyclicPairs, rotations)
 import PraTactile.Object.Named (Named (..), namedDescription)
-import PraTactile.Object.Solid
+import PraTactile.Object.PaperObjects
 import PraTactile.Object.Validity
 import PraTactile.Object.WingedEdge
 import Test.Effort

@@ -29,8 +29,8 @@ import PraTactile.Array (Position (..), Shape (..))
 import PraTactile.Object.Canonical (canonicalPlacement)
 import PraTactile.Object.Cells (Grid (..))
 import PraTactile.Object.Mesh (vertexAt)
+import PraTactile.Object.PaperObjects (cube, parallelepiped)
 import PraTactile.Object.Placement hiding (Block (..), blockCells)
-import PraTactile.Object.Solid (cube, parallelepiped)
 import PraTactile.Object.WingedEdge
 import Test.Hspec
 import Test.Support

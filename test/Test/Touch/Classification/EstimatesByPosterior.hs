@@ -12,12 +12,12 @@ import Data.Text.Encoding (encodeUtf8)
 import qualified Data.Vector.Storable as V
 import PraTactile.Classification.Calibration
 import PraTactile.Classification.Estimate
+import PraTactile.Classification.FreeForm
 import PraTactile.Classification.Part
 import PraTactile.Classification.Reader (Reader (..))
 import PraTactile.Classification.Regimen
 import PraTactile.Classification.Specimens
 import PraTactile.Classification.Templates
-import PraTactile.Classification.Unlike
 import PraTactile.Image hiding (mean)
 import PraTactile.Random (uniform)
 import PraTactile.Segmentation (Part (..))
@@ -158,7 +158,7 @@ estimateSpec = do
               whole = sum [w | (_, (w, _, _)) <- worth]
               e = estimateFrom fitted' seen image upright upsideDown
               likeliest = estimateLikeliest e
-              ofFree = unlike (freeLikeness image)
+              ofFree = unlike (freeFormCorrelation image)
               ratio =
                 sum
                   [ sum (zipWith (*) deltas [1, log (unlike s / ofFree), s, log (odds o)])
@@ -175,7 +175,7 @@ estimateSpec = do
                   estimateChance e likeliest === maximum (map snd (estimateChances e)),
                   property (estimateDoubt e >= leastDoubt * 0.999),
                   near 0 (estimateChance e (4, identity)),
-                  near (max (-9) (min 9 ratio)) (estimateUnlike e)
+                  near (max (-9) (min 9 ratio)) (estimateForeignShape e)
                 ]
   it "a calibration is found again from choices that are drawn by it" $ do
     let true = [0.8, -1.5]

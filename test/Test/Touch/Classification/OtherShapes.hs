@@ -4,9 +4,9 @@ module Test.Touch.Classification.OtherShapes (spec) where
 import Data.Foldable (for_)
 import qualified Data.Vector.Storable as V
 import PraTactile.Classification.Estimate
+import PraTactile.Classification.FreeForm
 import PraTactile.Classification.Reader
 import PraTactile.Classification.Shipped
-import PraTactile.Classification.Unlike
 import PraTactile.Image
 import PraTactile.Shape
 import PraTactile.Shape.Design (foreignShapes)
@@ -21,18 +21,18 @@ spec = do
   it "no drawing of a third to two thirds of the blocks is more like an image than the free shape" $
     forAllBlind (genRasterOf 8 12) $ \image ->
       forAllBlind genDrawing $ \blocks ->
-        counterexample (show (correlated image (drawn blocks), freeLikeness image)) $
-          correlated image (drawn blocks) <= freeLikeness image + 1e-9
+        counterexample (show (correlated image (drawn blocks), freeFormCorrelation image)) $
+          correlated image (drawn blocks) <= freeFormCorrelation image + 1e-9
   it "an image of a drawing, of any gain and offset, is the free shape" $
     forAllBlind genDrawing $ \blocks ->
       forAll ((,) <$> choose (0.1, 9) <*> choose (-3, 3)) $ \(gain, offset) ->
-        let free = freeLikeness (mapRaster (\v -> gain * v + offset) (drawn blocks))
+        let free = freeFormCorrelation (mapRaster (\v -> gain * v + offset) (drawn blocks))
          in counterexample (show free) (abs (free - 1) < 1e-9)
   it "a symbol's own image is surely none of another shape; one of another shape is" $ do
     reader <- right (shippedReader 4)
     let known = readerAlphabet reader
         unlike =
-          fmap estimateUnlike
+          fmap estimateForeignShape
             . estimate (readerCalibration reader) (readerTemplates reader) (readerNetwork reader)
     others <- right (foreignShapes 5 24 12 known)
     for_ (shapes known) $ \shape ->

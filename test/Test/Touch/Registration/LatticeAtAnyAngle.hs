@@ -363,7 +363,7 @@ jointly alphabet = do
             length told == length expected && and (zipWith close (sort told) expected)
   where
     away errors frames =
-      case assemble Jointly standardRegistration {registrationSigma = Just 1.5} frames of
+      case assemble ByPairs standardRegistration {registrationSigma = Just 1.5} frames of
         Right made ->
           -- By the median, since a stray frame is nowhere right.
           let ds = zipWith minus (compositeDisplacements (assemblyComposite made)) errors

@@ -28,7 +28,7 @@ spec = do
             tied = [k `mod` several | (k, _) <- zip [0 ..] places]
             groups = 1 + maximum tied
             all' = layouts likely tied places
-            shareOf which = sum [layoutShare l | l <- all', which (layoutFault l)]
+            shareOf which = sum [layoutShare l | l <- all', which (layoutCause l)]
             -- A share of all that is no slip, and of slips as far as there are lines, and half of
             -- that for groups where there are several.
             slips = (if columns + rows > 2 then 1 else 0) + (if groups > 1 then 0.5 else 0)
@@ -37,9 +37,9 @@ spec = do
             scales = [((x, y), ps) | Layout (OtherScale x y) _ ps _ <- all']
          in zipWith alike (map shareOf [isAxes, isScale, (== Slip)]) [1, 1, slips]
               === [True, True, True]
-              .&&. length (filter (isAxes . layoutFault) all')
+              .&&. length (filter (isAxes . layoutCause) all')
               === 7
-              .&&. length (filter ((== Slip) . layoutFault) all')
+              .&&. length (filter ((== Slip) . layoutCause) all')
               === 4 * (columns + rows - 2 + if groups > 1 then groups else 0)
               -- As much further from each other, across and down, as is told.
               .&&. [(extent fst ps, extent snd ps) | (_, ps) <- scales]
@@ -53,11 +53,11 @@ spec = do
             told =
               [ gapBefore (zip (map (== (0, 0)) (layoutSteps l)) (map (uncurry (+)) places))
                 | l <- layouts [] (map (const 0) places) places,
-                  layoutFault l == Slip
+                  layoutCause l == Slip
               ]
          in sort (nub (concat told)) === drop (length gaps - 8) (sort gaps)
   it "slips move what is beyond a line by a cell either way" $
-    nub [layoutSteps l | l <- layouts [] [0, 0] [(0, 0), (16, 0)], layoutFault l == Slip]
+    nub [layoutSteps l | l <- layouts [] [0, 0] [(0, 0), (16, 0)], layoutCause l == Slip]
       `shouldBe` [[(0, 0), step] | step <- [(0, 1), (0, -1), (1, 0), (-1, 0)]]
   it "a slip of all frames alike moves the cells and makes nothing less likely" $ do
     let found = jointOf [(x, y) | y <- [20, 30, 40], x <- [20, 30, 40]]
@@ -74,13 +74,13 @@ spec = do
       `shouldBe` [-1, -1, -1]
   it "are refuted by overlaps that show relief, but for some slips, whatever gain and offset" $ do
     let places = [(x, y) | y <- [20, 28 .. 52], x <- [20, 28 .. 44]]
-        faults (gain, offset) = map otherwiseFault (left gain offset places)
+        faults (gain, offset) = map alternativeCause (left gain offset places)
     nub (faults (1, 0)) `shouldSatisfy` all (== Slip)
     for_ [(0.1, 0.45), (0.02, 0.3)] $ \read' -> faults read' `shouldBe` faults (1, 0)
   it "stay, where frames side by side do not overlap and lie on the same lattice" $ do
     -- Beginning with a cell, whole cells in every frame across, half of its overlap down.
     let places = [(x, y) | y <- [20, 30 .. 60], x <- [16, 32, 48]]
-        faultsFrom origin = map otherwiseFault (leftFrom origin places)
+        faultsFrom origin = map alternativeCause (leftFrom origin places)
         faults = faultsFrom (0, 0)
     [axesName a | OtherAxes a <- faults] `shouldBe` ["-x,y"]
     [() | Slip <- faults] `shouldNotBe` []
@@ -88,11 +88,11 @@ spec = do
     -- Wherever the robot counts from.
     for_ [(65536, 0), (-4096, 65536)] $ \origin -> faultsFrom origin `shouldBe` faults
   it "are other axes no more where a seam cuts symbols, though nothing overlaps" $ do
-    let faults = map otherwiseFault (left 1 0 [(x, y) | y <- [20, 36, 52], x <- [24, 40, 56]])
+    let faults = map alternativeCause (left 1 0 [(x, y) | y <- [20, 36, 52], x <- [24, 40, 56]])
     [axesName a | OtherAxes a <- faults] `shouldBe` []
   it "are none of a single frame, nor where frames are not registered" $ do
-    map otherwiseFault (left 1 0 [(20, 20)]) `shouldBe` []
-    map otherwiseFault (othersOf Nominal (0, 0) 1 0 [(16, 20), (32, 20), (48, 20)]) `shouldBe` []
+    map alternativeCause (left 1 0 [(20, 20)]) `shouldBe` []
+    map alternativeCause (othersOf Nominal (0, 0) 1 0 [(16, 20), (32, 20), (48, 20)]) `shouldBe` []
   where
     scaleLists = [[], [(3, 3)], [(1, 0.7), (9, 9)]]
     upTo n = map fromIntegral [0 .. n - 1 :: Int]
@@ -109,10 +109,10 @@ spec = do
     left = othersOf Automatic (0, 0)
     leftFrom origin = othersOf Automatic origin 1 0
     othersOf method origin gain offset places =
-      either (error . show) (filter beside . compositeOthers . assemblyComposite) $
+      either (error . show) (filter beside . compositeAlternatives . assemblyComposite) $
         let frames = map (frame origin gain offset) places
          in assemble method (withNoiseOf frames standardRegistration) frames
-    beside = (/= OneFrame) . otherwiseFault
+    beside = (/= OneFrame) . alternativeCause
     frame :: (Double, Double) -> Double -> Double -> (Double, Double) -> Frame
     frame (left', top) gain offset (x, y) =
       Frame

@@ -92,7 +92,7 @@ othersSpec =
           step = if upright then (0, 8) else (8, 0)
           place (x, y) = (fromIntegral x, fromIntegral y)
           found =
-            arranged Jointly settings [(place at, frame at) | at <- [(0, 0), step]]
+            arranged ByPairs settings [(place at, frame at) | at <- [(0, 0), step]]
           moves =
             [ (dx - x, dy - y)
               | told <- arrangementFrames found,

@@ -211,7 +211,7 @@ truth = do
   it "frames count as compared where some overlap and are not left where they are" $ \_ -> do
     let frames places = pressed idealSensor (texture 1 60 60) [(pose, (0, 0)) | pose <- places]
         three = region 32 16
-        compared assemble = fmap ((== 0) . compositeUncompared) . assemble . frames
+        compared assemble = fmap ((== 0) . compositeUnregisteredError) . assemble . frames
         by way = fmap assemblyComposite . Stitch.assemble way standardRegistration
         apart = [pose | (i, pose) <- zip [0 :: Int ..] three, even i]
     -- Without an error all stay where they are, and have been compared all the same.
@@ -219,7 +219,7 @@ truth = do
       `shouldBe` Right (replicate 3 (0, 0))
     map (compared placeOnly) [three, take 1 three] `shouldBe` [Right False, Right True]
     -- By the lattice frames are levelled before they are compared.
-    forM_ (byEffort id ([Automatic, Jointly] ++) [Incremental, ByLattice]) $ \way ->
+    forM_ (byEffort id ([Automatic, ByPairs] ++) [Incremental, ByLattice]) $ \way ->
       map (compared (by way)) [three, take 1 three, apart]
         `shouldBe` [Right True, Right True, Right False]
   where
@@ -284,8 +284,8 @@ seenOtherwise = withCases 1 10 $ do
             \shuffled -> both (sceneStitched scene) (together (map snd shuffled)) $ \c d ->
               let told e = (compositeImage e, compositeCoverage e, compositeContradiction e)
                   others e =
-                    [ (otherwiseFault o, otherwiseLikelier o, otherwiseLattice o)
-                      | o <- compositeOthers e
+                    [ (alternativeCause o, alternativeRatio o, alternativeLattice o)
+                      | o <- compositeAlternatives e
                     ]
                in (told c, others c) === (told d, others d)
                     .&&. compositeDisplacements d

@@ -10,7 +10,7 @@ import PraTactile.Registration.Arrangement hiding (arrange)
 import PraTactile.Registration.Estimate (Estimate (..))
 import PraTactile.Registration.Groups (groupsOf)
 import PraTactile.Registration.Incremental (register)
-import PraTactile.Registration.Lattice.Glimpse
+import PraTactile.Registration.Lattice.Crop
 import PraTactile.Registration.Residual (residual)
 import PraTactile.Registration.Settings (Registration (..), standardRegistration)
 import Test.Effort (whenFull)
@@ -54,20 +54,20 @@ waySpec = do
         unmoved = ((0, 0), Nothing, Nothing, [])
     told (arranged Nominal standardRegistration (facing places))
       `shouldBe` (Nominal, map (const unmoved) places)
-    for_ [(Automatic, Jointly), (ByLattice, ByLattice), (Jointly, Jointly)] $
+    for_ [(Automatic, ByPairs), (ByLattice, ByLattice), (ByPairs, ByPairs)] $
       \(method, used) ->
         told (arranged method standardRegistration blanks) `shouldBe` (used, [unmoved, unmoved])
   it "one after the other and jointly, frames have what these registrations tell" $ do
     let frames = facing places
         one = arranged Incremental standardRegistration frames
-        all' = arranged Jointly standardRegistration frames
+        all' = arranged ByPairs standardRegistration frames
     map registeredShift (arrangementFrames one) `shouldBe` register standardRegistration frames
     map registeredDeviation (arrangementFrames one) `shouldBe` map (const Nothing) places
     [(registeredShift a, registeredDeviation a) | a <- arrangementFrames all']
       `shouldBe` [ (estimateShift e, Just (estimateDeviation e))
                    | e <- pairwiseFrames (registerPairwise standardRegistration frames)
                  ]
-    (arrangementMethod one, arrangementMethod all') `shouldBe` (Incremental, Jointly)
+    (arrangementMethod one, arrangementMethod all') `shouldBe` (Incremental, ByPairs)
     for_ [one, all'] $ \found -> do
       let moved =
             [ ((x + dx, y + dy), image)
@@ -83,12 +83,12 @@ waySpec = do
     map method (standardRegistration : [with sigma noise | sigma <- [0.5, 3], noise <- [0, 0.4]])
       `shouldBe` replicate 5 ByLattice
     -- A single frame is registered to nothing, nor are frames that show something else to it.
-    arrangementMethod (arranged Automatic (with 2 0.1) (facing [(20, 20)])) `shouldBe` Jointly
+    arrangementMethod (arranged Automatic (with 2 0.1) (facing [(20, 20)])) `shouldBe` ByPairs
     let noise = [((8 * fromIntegral k, 0), rough k) | k <- [0 .. 2 :: Int]]
         rough k = generate 16 16 (\x y -> wave 0.9 (x + 8 * k) + wave 0.7 y)
         wave by t = sin (by * fromIntegral t)
     map (\w -> arrangementMethod (arranged w (with 2 0.1) noise)) [Automatic, ByLattice]
-      `shouldBe` [Jointly, ByLattice]
+      `shouldBe` [ByPairs, ByLattice]
   it "so many that they would be compared in more pixels than are: only in that way" $ do
     let slope = generate 16 16 (\x y -> fromIntegral (x * y))
         many count = replicate count ((0, 0), slope)
@@ -99,7 +99,7 @@ waySpec = do
     [refused method 1449 | method <- [Nominal, ByLattice]] `shouldBe` replicate 2 Nothing
     -- Nor in too many by pairs.
     let large = generate 256 256 (\x y -> fromIntegral (x * y))
-    refusal (arrange Jointly standardRegistration (replicate 100 ((0, 0), large)))
+    refusal (arrange ByPairs standardRegistration (replicate 100 ((0, 0), large)))
       `shouldSatisfy` \found -> case found of
         Just (PairPixels n) -> n > maxPairPixels
         _ -> False
@@ -109,9 +109,9 @@ waySpec = do
   it "the lattice's angle is told from a part of a large frame, the one that shows most" $ do
     let strong x y = fromIntegral ((7 * x + 3 * y) `mod` 5) - 2
         image = generate 200 100 $ \x y -> strong x y * (if x >= 168 && y >= 68 then 1 else 0.1)
-    (Right (glimpse image) == crop (168, 68) (32, 32) image) `shouldBe` True
+    (Right (variedCrop image) == crop (168, 68) (32, 32) image) `shouldBe` True
     for_ [(32, 32), (4, 256), (128, 8)] $ \(w, h) ->
-      let small = generate w h strong in (glimpse small == small) `shouldBe` True
+      let small = generate w h strong in (variedCrop small == small) `shouldBe` True
   it "the lattice is seen in large frames, too, each turned a little in itself" $ do
     let frames =
           [ ((x, y), frameTurned angle (48, 48) (x, y))
@@ -124,7 +124,7 @@ waySpec = do
         grey n = fromIntegral ((n * 1103515245 + 12345) `div` 65536 `mod` 256 :: Int) / 255
         frames = [((fromIntegral k * 20, 0), rough k) | k <- [0, 1]]
     found <- withinBounds (evaluate (arrangementMethod (arranged Automatic settings frames)))
-    found `shouldBe` Right Jointly
+    found `shouldBe` Right ByPairs
   it "by the lattice frames of 256 x 256 pixels and no larger ones" $ do
     let image side = generate side 256 (\x y -> fromIntegral (x + y))
         refused side =

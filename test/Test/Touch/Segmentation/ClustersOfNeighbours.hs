@@ -40,7 +40,7 @@ image (place, angle) = SymbolImage place (constant 8 12 0) angle (8, 12)
 genSymbols :: Gen [Symbol]
 genSymbols = do
   off <- elements [0, 2, 4]
-  tilt <- elements [0, 0, 30]
+  skew <- elements [0, 0, 30]
   count <- choose (0, 14)
   vectorOf count $ do
     (i, j) <- (,) <$> choose (0, 3 :: Int) <*> choose (0, 3 :: Int)
@@ -48,8 +48,8 @@ genSymbols = do
     -- Exactly as far off as is tolerated, too.
     edge <- elements [0, 0, 0, 4, -4]
     let (x, y) = (16 * fromIntegral j + dx + edge, 20 * fromIntegral i + dy)
-        (c, s) = (cos (tilt * pi / 180), sin (tilt * pi / 180))
-    pure ((c * x - s * y, s * x + c * y), tilt)
+        (c, s) = (cos (skew * pi / 180), sin (skew * pi / 180))
+    pure ((c * x - s * y, s * x + c * y), skew)
 
 -- | Symbols along two roads that meet, in more and in fewer steps, with some others or without one.
 genRoads :: Gen [Symbol]

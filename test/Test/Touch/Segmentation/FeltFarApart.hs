@@ -9,7 +9,7 @@ import Data.List (sort)
 import qualified Data.Vector.Storable as V
 import PraTactile.Classification.Shipped (shippedReader)
 import PraTactile.Composite (weighted)
-import PraTactile.Composite.Tilt (setUpright)
+import PraTactile.Composite.Skew (setUpright)
 import PraTactile.Image
 import PraTactile.Image.Correlate (referenceAt)
 import PraTactile.Recognise.Features (features)

@@ -330,7 +330,7 @@ removedSpec = do
     forAll (elements things) $ \(thing, value, cause, height) -> forAll (choose (0, 0.3)) $ \low ->
       let picture = drawn low [(symbol, 0.4), (thing, value)]
           composite = compositeOf picture
-          Cleaned found forParts rejects = cleaned composite
+          ForeignMasked found byHeight rejects = maskForeign composite
           image = compositeImage found
           gone = [p | (p, 0) <- zip [0 ..] (V.toList (rasterValues (compositeCoverage found)))]
        in conjoin
@@ -344,7 +344,7 @@ removedSpec = do
                         | (p, v) <- zip [0 ..] (V.toList (rasterValues picture))
                       ],
               counterexample "parts are read where it is as high as symbols" $
-                forParts === Just (if height then found else composite),
+                byHeight === Just (if height then found else composite),
               case rejects of
                 [Reject (l, t, r, b) why] ->
                   why === cause
@@ -359,9 +359,9 @@ removedSpec = do
   it "without a symbol beside it nothing is" $
     forAll (elements things) $ \(thing, value, _, _) ->
       let composite = compositeOf (drawn 0.2 [(thing, value)])
-       in cleaned composite === Cleaned composite Nothing []
+       in maskForeign composite === ForeignMasked composite Nothing []
   it "a hole of which a dozen pixels lie deep is, a lesser one is noise" $ do
-    let taken w h = length (cleanedRejects (cleaned (holed (rectangle (24, 14) (w, h)))))
+    let taken w h = length (maskedRejects (maskForeign (holed (rectangle (24, 14) (w, h)))))
         holed hole = compositeOf (drawn 0.5 [(symbol, 0.4), (hole, -0.5)])
     [taken 1 1, taken 2 2, taken 4 3, taken 5 5] `shouldBe` [0, 0, 1, 1]
   where

@@ -12,7 +12,7 @@ import Data.Maybe (fromMaybe)
 import qualified Data.Vector.Storable as V
 import PraTactile.Array
 import PraTactile.Classification.Shipped (shippedReader)
-import PraTactile.Composite.Tilt (tilt, tilts)
+import PraTactile.Composite.Skew (skew, skews)
 import PraTactile.Decode
 import PraTactile.Field (toCode)
 import PraTactile.Image
@@ -21,8 +21,8 @@ import PraTactile.Random (normals)
 import PraTactile.Recognise
 import PraTactile.Recognise.Features
 import PraTactile.Registration (Composite (..), compositeOf)
-import PraTactile.Segmentation (Cause (..), Reject (..), SymbolImage (..), cleaned)
-import PraTactile.Segmentation.Foreign (Cleaned (..))
+import PraTactile.Segmentation (Cause (..), Reject (..), SymbolImage (..), maskForeign)
+import PraTactile.Segmentation.Foreign (ForeignMasked (..))
 import System.Random (mkStdGen)
 import Test.CommandLine.Run
 import Test.Effort (byEffort)
@@ -144,18 +144,18 @@ anyAngle = do
           let target = featuredAt s `plus` there
               found = [featuredAt o | o <- seen, apart target (featuredAt o) < 2]
           (k, fmap (plus (featuredAt s)) given) `shouldSatisfy` agrees found . snd
-  it "the tilt is from -45 up to but not including 45, and right up to quarter turns" $
+  it "the skew is from -45 up to but not including 45, and right up to quarter turns" $
     for_ ((,) <$> byEffort [1] [1, 2] <*> ([-46, -45.4 .. -44] ++ [44, 44.6 .. 46])) $
       \(k, angle) ->
-        case tilt [drawnWith k 0.05 (const Nothing) (sceneOf k angle)] of
+        case skew [drawnWith k 0.05 (const Nothing) (sceneOf k angle)] of
           Just found -> do
             (k, angle, found) `shouldSatisfy` (\(_, _, t) -> t >= -45 && t < 45)
             (k, angle, upToQuarters found angle) `shouldSatisfy` (\(_, _, t) -> t < 1)
           Nothing -> expectationFailure (show (k, angle))
-  it "the tilts of two scenes together are each one's, before any other" $
+  it "the skews of two scenes together are each one's, before any other" $
     for_ ((,) <$> byEffort [3] [1 .. 6] <*> [-40, -20 .. 40]) $ \(k, angle) -> do
       let own = [angle, angle + 30]
-          found = take 2 (tilts [drawnWith k 0.05 (const Nothing) (sceneOf k a) | a <- own])
+          found = take 2 (skews [drawnWith k 0.05 (const Nothing) (sceneOf k a) | a <- own])
       (k, angle, found)
         `shouldSatisfy` (\(_, _, ts) -> and [any ((< 1) . upToQuarters a) ts | a <- own])
   it "what is not whole beside them is told as a part, with the share that is seen" $
@@ -253,12 +253,13 @@ besideForeign = do
       let composite = drawnWith k 0.03 foreign' scene
           image = mapRaster (\v -> 0.35 + 0.5 * v) (compositeImage composite)
           dimmed = composite {compositeImage = image}
-          taken c = (compositeCoverage (cleanedComposite c), cleanedRejects c)
-      (name, k, taken (cleaned dimmed) == taken (cleaned composite)) `shouldBe` (name, k, True)
+          taken c = (compositeCoverage (maskedComposite c), maskedRejects c)
+      (name, k, taken (maskForeign dimmed) == taken (maskForeign composite))
+        `shouldBe` (name, k, True)
   it "a composite without it stays as it is" $
     for_ scenes $ \(k, scene) -> do
       let composite = drawnWith k 0.05 (const Nothing) scene
-      cleaned composite `shouldBe` Cleaned composite Nothing []
+      maskForeign composite `shouldBe` ForeignMasked composite Nothing []
   where
     -- One that stands beside the symbols, and one that is sunk.
     aFew = byEffort (take 2 (drop 2 things)) things

@@ -5,7 +5,7 @@
 -- Bands cover all rows and runs cover all columns, so every look-up finds a run.
 module PraTactile.Object.Placement.Bands
   ( Band (..),
-    Stretch (..),
+    BandRun (..),
     bands,
     blocksIn,
   )
@@ -21,12 +21,12 @@ import PraTactile.Object.Placement.Laying
 data Band = Band
   { bandFrom :: !Natural,
     bandTo :: !Natural,
-    bandRuns :: [Stretch]
+    bandRuns :: [BandRun]
   }
   deriving stock (Eq, Show)
 
 -- | A range of columns, with exclusive end, and the index, in the order of layings, of their face.
-data Stretch = Stretch
+data BandRun = BandRun
   { stretchFrom :: !Natural,
     stretchTo :: !Natural,
     stretchLaying :: !(Maybe Int)
@@ -36,13 +36,13 @@ data Stretch = Stretch
 -- | The bands of a placement from the top. Neighbouring bands differ.
 bands :: Placement -> [Band]
 bands place =
-  joined (covering high (\from to -> Band from to [Stretch 0 wide Nothing]) bandFrom bandTo taken)
+  joined (covering high (\from to -> Band from to [BandRun 0 wide Nothing]) bandFrom bandTo taken)
   where
     Shape high wide = placementShape place
     taken = [Band r (r + 1) (stretches runs) | (r, runs) <- runsByRow place]
     stretches runs =
-      covering wide (\from to -> Stretch from to Nothing) stretchFrom stretchTo $
-        [Stretch (runFrom run) (runTo run) (Just (runNumber run)) | run <- runs]
+      covering wide (\from to -> BandRun from to Nothing) stretchFrom stretchTo $
+        [BandRun (runFrom run) (runTo run) (Just (runNumber run)) | run <- runs]
     joined rows' =
       [ Band (bandFrom top) (bandTo (foldl (\_ lower -> lower) top lowers)) (bandRuns top)
         | top :| lowers <- groupWith bandRuns rows'

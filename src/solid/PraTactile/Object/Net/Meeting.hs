@@ -158,10 +158,10 @@ sideOf it = SideOf quick careful
     verdict told = if told > 0 then Overlapping else Apart
     turnings (p, q) c =
       NonEmpty.zipWith
-        (\(a, b) z -> turned a b z)
+        (\(a, b) z -> crossProduct a b z)
         (NonEmpty.zip (cornerRungs p) (cornerRungs q))
         (cornerRungs c)
-    turning place (p, q) c = turned (place p) (place q) (place c)
+    turning place (p, q) c = crossProduct (place p) (place q) (place c)
     -- The first interval of (b - a) x (c - a) that decides the sign. None if an earlier one shows
     -- that the corner is less than 10^-30 mm from the line.
     refined line found = case found of
@@ -179,8 +179,8 @@ sideOf it = SideOf quick careful
         solid = unfolderMesh it
 
 -- | The cross product (b - a) x (c - a).
-turned :: Number n => Planar n -> Planar n -> Planar n -> n
-turned a b c = imaginary
+crossProduct :: Number n => Planar n -> Planar n -> Planar n -> n
+crossProduct a b c = imaginary
   where
     Planar _ imaginary = multiplied (conjugate (b `subtracted` a)) (c `subtracted` a)
 

@@ -49,7 +49,7 @@ climbStart enough seed sheet kinds
        in Climb filling order choice (mkStdGen seed) (fillingSteps filling) 0
     next best other = if climbSteps best > enough then best else better best other
     better one other =
-      (minimumBy (comparing (worth . climbBest)) [one, other])
+      (minimumBy (comparing (fillingCost . climbBest)) [one, other])
         { climbSteps = climbSteps one + climbSteps other
         }
     -- Including the order by cells alone.
@@ -72,7 +72,8 @@ climbStart enough seed sheet kinds
 -- reversed or moved, or a piece that found no place comes earlier.
 climbMove :: Still -> Kinds -> Climb -> Climb
 climbMove sheet kinds climb
-  | worth found <= worth (climbBest climb) = next {climbBest = found, climbOrder = order}
+  | fillingCost found <= fillingCost (climbBest climb) =
+    next {climbBest = found, climbOrder = order}
   | otherwise = next
   where
     found = filled sheet kinds (climbChoice climb) order

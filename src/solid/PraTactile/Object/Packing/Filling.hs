@@ -6,7 +6,7 @@
 -- that place only moves forwards, and each figure passes over the sheet once.
 module PraTactile.Object.Packing.Filling
   ( Filling (..),
-    worth,
+    fillingCost,
     Choice (..),
     filled,
   )
@@ -39,8 +39,8 @@ data Filling = Filling
   }
 
 -- | The measure by which fillings are compared; less is better.
-worth :: Filling -> (Int, Int, Int)
-worth it = (fillingOver it, fillingRows it, fillingLast it)
+fillingCost :: Filling -> (Int, Int, Int)
+fillingCost it = (fillingOver it, fillingRows it, fillingLast it)
 
 -- | Which of a piece's figures is laid, if several have the same first place.
 data Choice

@@ -117,7 +117,7 @@ bandsIn places given = for (runBands given) $ \it ->
   where
     ofBand = Map.fromListWith (++) [(storedRunBand run, [run]) | run <- reverse (runs given)]
     stretch run =
-      Stretch
+      BandRun
         <$> natural RunTable (storedRunFromColumn run)
         <*> natural RunTable (storedRunToColumn run)
         <*> traverse (find RunTable places) (storedRunLaying run)

@@ -187,7 +187,7 @@ bandRows numberAt (Band from to stretches) = do
   runs' <- traverse (runOf from') stretches
   pure mempty {runBands = [sealed (StoredBand from' to')], runs = runs'}
   where
-    runOf band (Stretch left right laying) = do
+    runOf band (BandRun left right laying) = do
       left' <- whole left
       right' <- whole right
       pure (sealed (StoredRun band left' right' (laying >>= (`Map.lookup` numberAt))))

@@ -1,6 +1,7 @@
 {-# OPTIONS_HADDOCK hide #-}
 
--- | What two frames that overlap say of their displacements, whatever they show.
+-- | The log-likelihood ratios of two overlapping frames by relative displacement, whatever they
+-- show.
 module PraTactile.Registration.AllPairs.Pair
   ( Pair (..),
     pairOf,
@@ -20,25 +21,24 @@ import PraTactile.Registration.Neighbours (Neighbours (..))
 import PraTactile.Registration.Overlap
 import PraTactile.Registration.Settings
 
--- | What two frames say, by their numbers.
+-- | Two frames, by number, with their log-likelihood ratios.
 data Pair = Pair
   { pairFirst :: !Int,
     pairSecond :: !Int,
-    -- | The greatest L: how much likelier, as a natural logarithm, they are of one relief than of
-    -- two.
+    -- | The greatest L: the log-likelihood ratio of one relief to two.
     pairMost :: !Double,
-    -- | exp (L - the greatest), by the difference of the second's displacement on the grid and the
-    -- first's: whole taxels up to 'pairReach' along both axes, row by row.
+    -- | exp (L - the greatest), by the second's grid displacement minus the first's. Both axes go
+    -- in whole taxels up to 'pairReach', row by row.
     pairShares :: !(Vector Float)
   }
 
--- | How far from each other two frames may lie beside their nominal displacement, taxels: two
--- standard deviations, of the largest that the robot's error may have.
+-- | The largest relative displacement of two frames beside the nominal one, taxels. It is two
+-- standard deviations of their difference, for the robot's largest error.
 pairReach :: Registration -> Int
 pairReach settings = max 1 (min 12 (ceiling (2 * sqrt 2 * snd (sigmasFor settings))))
 
--- | What a pair says, given the nominal places of the frames. What lies further apart than
--- 'pairReach' tells nothing.
+-- | Compares a pair, given the nominal places of all frames. Displacements beyond 'pairReach' are
+-- ignored.
 pairOf :: Registration -> Relief -> Boxed.Vector Taxels -> Neighbours -> Pair
 pairOf settings relief places (Neighbours k l step _) =
   Pair k l most (V.map (\t -> realToFrac (exp (t - most))) logs)
@@ -50,8 +50,8 @@ pairOf settings relief places (Neighbours k l step _) =
     side = 2 * reach + 1
     (stepX, stepY) = gridStep (places Boxed.! k) (places Boxed.! l)
 
--- | The difference of displacements on the grid at which L of a pair is highest, within a taxel of
--- a given one; and the probability that both frames show one relief there.
+-- | The relative grid displacement with the highest L within a taxel of the given one, and the
+-- probability that both frames show one relief there.
 highestNear :: Registration -> Pair -> (Int, Int) -> ((Int, Int), Double)
 highestNear settings pair (x0, y0) = (highest, share / max 1e-300 (share + apart))
   where
@@ -63,18 +63,18 @@ highestNear settings pair (x0, y0) = (highest, share / max 1e-300 (share + apart
       | max (abs x) (abs y) > reach = 0
       | otherwise = pairShares pair V.! ((y + reach) * (2 * reach + 1) + x + reach)
 
--- | From the grid point nearest to one place to that nearest to another, taxels.
+-- | The step between the grid points nearest to two places, taxels.
 gridStep :: Taxels -> Taxels -> (Int, Int)
 gridStep (x, y) (x', y') = (round x' - round x, round y' - round y)
 
--- | What is left of a place beyond the nearest grid point.
+-- | A place's offset from the nearest grid point.
 rest :: Taxels -> Taxels
 rest (x, y) = (x - nearest x, y - nearest y)
 
--- | The nearest whole number.
+-- | Rounds to a whole number.
 nearest :: Double -> Double
 nearest t = fromIntegral (round t :: Int)
 
--- | What is said of frames, by frame.
+-- | Groups values by frame, given the number of frames and pairs of a frame's number and a value.
 byFrame :: Int -> [(Int, a)] -> Boxed.Vector [a]
 byFrame count said = Boxed.accumulate (flip (:)) (Boxed.replicate count []) (Boxed.fromList said)

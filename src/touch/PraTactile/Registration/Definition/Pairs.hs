@@ -1,8 +1,8 @@
 {-# OPTIONS_HADDOCK hide #-}
 
--- | Two frames registered blindly and by correlation, by the formulas of
--- "PraTactile.Registration.Model" alone: every coefficient a sum over all pixels, every process,
--- height and gain tried, as densities of normal numbers.
+-- | Two frames registered blindly and by correlation, straight from the formulas of
+-- "PraTactile.Registration.Model". Every coefficient is a sum over all pixels, and every process,
+-- height and gain is tried with its normal density.
 module PraTactile.Registration.Definition.Pairs
   ( -- * Frames
     cosines,
@@ -25,8 +25,8 @@ import Data.Ord (comparing)
 import PraTactile.Image hiding (mean)
 import PraTactile.Registration.Definition (logMean, shares)
 
--- | The coefficients of the orthonormal cosine transform (DCT-II), by the frequencies across and
--- down, of which 32 are looked at along each axis; without that of the mean.
+-- | Coefficients of the orthonormal cosine transform (DCT-II) by frequency across and down, at most
+-- 32 along each axis. The mean's coefficient is left out.
 cosines :: Raster -> [((Int, Int), Double)]
 cosines image =
   [ ((u, v), sum [wave w u x * wave h v y * z | (y, row) <- rows, (x, z) <- zip [0 ..] row])
@@ -45,16 +45,16 @@ data Relief = Relief
     reliefNoise :: !Double,
     -- | The relief's variance in each frame.
     reliefScales :: ![Double],
-    -- | The logarithm of the density of each frame, brought to variance 1.
+    -- | The log density of each frame, standardised to variance 1.
     reliefLogs :: ![Double]
   }
 
--- | The frequencies of the coefficients that are looked at, across and down.
+-- | The frequencies, across and down, of the coefficients that are used.
 frequencies :: (Int, Int) -> [(Int, Int)]
 frequencies (w, h) = drop 1 [(u, v) | v <- [0 .. min 32 h - 1], u <- [0 .. min 32 w - 1]]
 
--- | S of each coefficient of a frame of that size, given smoothness and range in taxels: Matern's,
--- of mean 1 over 64 x 64 frequencies.
+-- | S of each coefficient, given smoothness and range (taxels), and the frame's size: Matern's
+-- spectrum, of mean 1 over 64 x 64 frequencies.
 spectrumOf :: (Double, Double) -> (Int, Int) -> [Double]
 spectrumOf (nu, range) (w, h) = [at (wave w u) (wave h v) / average | (u, v) <- frequencies (w, h)]
   where
@@ -64,7 +64,7 @@ spectrumOf (nu, range) (w, h) = [at (wave w u) (wave h v) / average | (u, v) <- 
     wave :: Int -> Int -> Double
     wave n k = pi * fromIntegral k / fromIntegral n
 
--- | The process that makes frames likeliest, each of the scale that makes it likeliest.
+-- | The likeliest process of the frames, each frame with its own likeliest scale.
 reliefOf :: [Raster] -> Relief
 reliefOf images = maximumBy (comparing (sum . reliefLogs)) (reverse tried)
   where
@@ -85,40 +85,41 @@ reliefOf images = maximumBy (comparing (sum . reliefLogs)) (reverse tried)
         variance = sum [z * z | (z, _) <- told] / n
         scale = sum [z * z / s | (z, s) <- told] / n
 
--- | The logarithm of the density of a frame, brought to variance 1, if it is white noise.
+-- | Log density of a frame under white noise, standardised to variance 1.
 whiteNoise :: Raster -> Double
 whiteNoise image = sum [normal 1 (z / sqrt variance) | z <- seen]
   where
     seen = map snd (cosines image)
     variance = sum (map (^ (2 :: Int)) seen) / fromIntegral (length seen)
 
--- | The logarithm of a normal density, given the variance.
+-- | Log density of a normal number of mean 0, given the variance.
 normal :: Double -> Double -> Double
 normal v z = -(log (2 * pi * v) / 2) - z * z / (2 * v)
 
--- | That of two numbers of one variance, given it and their covariance.
+-- | Log density of two jointly normal numbers, given their common variance and their covariance.
 normalPair :: Double -> Double -> (Double, Double) -> Double
 normalPair v c (a, b) = normal (v + c) ((a + b) / sqrt 2) + normal (v - c) ((a - b) / sqrt 2)
 
--- | What is known of the place of the second frame's upper left pixel in the first: whole places
--- and their probabilities.
+-- | Posterior of the place of the second frame's upper left pixel in the first: whole places and
+-- their probabilities.
 type Known = [((Int, Int), Double)]
 
--- | The places within the search around a step, each as probable as the prior times what both
--- frames tell there.
+-- | The posterior over whole places within the search around a nominal step, given the
+-- log-likelihood of each place.
 knownBy :: (Double, Double) -> Double -> ((Int, Int) -> Double) -> Known
 knownBy (x, y) search told = zip places (shares [prior d + told d | d <- places])
   where
     places = [(i, j) | j <- reached y, i <- reached x]
     reached t = [ceiling (t - search) .. floor (t + search)]
-    -- Two standard deviations are searched.
+    -- The search covers two standard deviations.
     prior (i, j)
       | search <= 0 = 0
       | otherwise =
         -2 * (squared (fromIntegral i - x) + squared (fromIntegral j - y)) / squared search
     squared t = t * t
 
--- | What both frames show where the second's upper left pixel lies at that place in the first.
+-- | The overlap of two images, as a part of each. The displacement is the place of the second's
+-- upper left pixel in the first.
 inCommon :: Raster -> Raster -> (Int, Int) -> (Raster, Raster)
 inCommon a b (dx, dy) = (part a (max 0 dx, max 0 dy), part b (max 0 (-dx), max 0 (-dy)))
   where
@@ -129,12 +130,12 @@ inCommon a b (dx, dy) = (part a (max 0 dx, max 0 dy), part b (max 0 (-dx), max 0
 pixels :: Raster -> Double
 pixels image = fromIntegral (rasterWidth image * rasterHeight image)
 
--- | Blind.
+-- | The posterior by blind registration, given the nominal step and the search.
 blindly :: (Double, Double) -> Double -> Raster -> Raster -> Known
 blindly step search a b = knownBy step search (\d -> log (1 + exp (overlapLog step a b d)))
 
--- | The log evidence of two frames that overlap at a step, for robot's errors of that standard
--- deviation, in taxels between both.
+-- | Log evidence of two frames that overlap at a nominal step. Sigma is the standard deviation of
+-- that step's error, taxels.
 pairEvidence :: Double -> (Double, Double) -> Raster -> Raster -> Double
 pairEvidence sigma step@(x, y) a b = log (0.001 + 0.999 * sum (zipWith (*) (shares priors) told))
   where
@@ -147,7 +148,8 @@ pairEvidence sigma step@(x, y) a b = log (0.001 + 0.999 * sum (zipWith (*) (shar
     squared t = t * t
     told = [exp (overlapLog step a b d) | d <- places]
 
--- | L of two frames, the second's upper left pixel lying there in the first, for a nominal step.
+-- | L of two frames, given the nominal step and the place d of the second's upper left pixel in the
+-- first.
 overlapLog :: (Double, Double) -> Raster -> Raster -> (Int, Int) -> Double
 overlapLog (x, y) a b d = case brought [a, b] of
   [a', b']
@@ -159,7 +161,7 @@ overlapLog (x, y) a b d = case brought [a, b] of
                   zip3 (cosines one) (cosines other) (spectrumOf shape (rasterSize one))
             ]
           weight = max 0.5 (min 2 (nominal / pixels one))
-          -- As many times as high is the second relief, by the highest process.
+          -- The height of each patch's relief, under the greatest height.
           high which = sum [which z * which z / (1.5 * s + noise) | Coefficient z s _ <- seen]
           g = max (-1) (min 1 (log (high snd / high fst) / 2))
           levelled =
@@ -176,10 +178,10 @@ overlapLog (x, y) a b d = case brought [a, b] of
     nominal = max 1 (pixels (fst (inCommon a b (round x, round y))))
     sinc t = if t == 0 then 1 else sin t / t :: Double
 
--- | A and B, S, and C of a coefficient.
+-- | One coefficient: A and B, S, and C.
 data Coefficient = Coefficient !(Double, Double) !Double !Double
 
--- | How much likelier, as a natural logarithm, coefficients are of one relief than of two.
+-- | Log-likelihood ratio of one relief to two, from the coefficients and the noise share.
 likelier :: Double -> [Coefficient] -> Double
 likelier noise seen =
   logMean (concatMap (`map` heights) [one, nearly 1, nearly 0.85]) - ofTwo fst - ofTwo snd
@@ -192,7 +194,7 @@ likelier noise seen =
       logMean
         [sum [normal (kappa * s + noise) (which z) | Coefficient z s _ <- seen] | kappa <- heights]
 
--- | By correlation.
+-- | The posterior by correlation, given the nominal step and the search.
 byCorrelation :: (Double, Double) -> Double -> Raster -> Raster -> Known
 byCorrelation step@(x, y) search a b = knownBy step search (told . inCommon a b)
   where

@@ -1,14 +1,13 @@
 {-# OPTIONS_HADDOCK hide #-}
 
--- | What each frame's displacement is, by itself and by what all others say of the symbols: the
--- mean field of "PraTactile.Registration.Model" over cells, and its bound. It begins from each
--- frame alone; all frames are found anew in each sweep.
+-- | The mean field of "PraTactile.Registration.Model" over the cells of a lattice, and its bound.
+-- Each frame's displacement follows from the frame itself and from the symbols that others show.
+-- The field starts from each frame alone, and each sweep updates all frames.
 --
--- What frames tell of a cell has errors in common, and each frame shows with probability delta
--- something of its own. So the bound F, which log P of what frames show is at least, counts a share
--- of the log-likelihoods, 'cellShare'. Otherwise a sliver of a symbol that is felt a little
--- otherwise than supposed would count as much as a symbol. With <.> the mean over q_f, and h_fc0 =
--- 0:
+-- Frames have errors in common, and each is an outlier in a cell with probability delta. The bound
+-- F, which is at most log P of what the frames show, therefore counts only a share of the
+-- log-likelihoods, 'cellShare'. Otherwise a sliver of a symbol that is felt a little otherwise than
+-- modelled would count as much as a symbol. With <.> the mean over q_f, and h_fc0 = 0:
 --
 -- > h_fck(d) = share * l_fck(d)
 -- > h_fc(d)  = log (epsilon + sum over k of P(k) exp h_fck(d))
@@ -18,7 +17,7 @@
 -- >     + log (sum over sigma of exp (sum over f of <log pi_sigma(d_f)>))
 -- >     - sum over f, d of q_f(d) log q_f(d)
 --
--- By the same g a cell's class is told, from which recognition makes its answer:
+-- These g also give the posterior of a cell's class, from which recognition starts:
 --
 -- > P(k in c) ~ P(k) exp (sum over f of <g_fck>)
 module PraTactile.Registration.Field.Cells
@@ -58,7 +57,8 @@ newtype MeanField = MeanField
     fieldFrames :: [[(Displacement, Double)]]
   }
 
--- | Begun from each frame alone; each sweep finds all frames anew.
+-- | Finds the mean field, given the grid and each frame's displacements. It starts from each frame
+-- alone; each sweep updates all frames.
 meanField :: Grid -> [[Displacement]] -> MeanField
 meanField grid frames = MeanField (settled mostSweeps (map likeliest) sweep alone)
   where
@@ -90,28 +90,28 @@ meanField grid frames = MeanField (settled mostSweeps (map likeliest) sweep alon
     larger (Just a) b = Just (if snd b > snd a then b else a)
     heard = expected heardOfCells id
 
--- | F, which log P of what the frames show is at least, up to what does not depend on their places;
--- by what each tells of its cells.
+-- | F, a lower bound of log P of what the frames show, up to a constant that does not depend on
+-- their places. It needs each frame's contribution to its cells.
 fieldBound :: Grid -> MeanField -> [Told] -> Double
 fieldBound grid field@(MeanField frames) told =
   cellsBound told
     + logSum (sigmaLogs grid (fieldSquares field))
     - sum [p * log p | ds <- frames, (_, p) <- ds, p > 0]
 
--- | What one frame tells of each cell that it sees: \<g_fck> of an empty cell, and then of the
--- classes; by the cell's number.
+-- | The contribution of one frame to each cell that it sees: \<g_fck> of an empty cell, and then of
+-- the classes, by the cell's number.
 type Told = IntMap ClassLogs
 
--- | What each frame tells of its cells.
+-- | The contribution of each frame to its cells.
 fieldTold :: MeanField -> [Told]
 fieldTold = map (expected 0 orAstray) . fieldFrames
 
--- | What a frame of these displacements tells, if it is at the one with this shift.
+-- | The contribution of a frame if it is at the given displacement, from all its displacements.
 toldAt :: (Int, Int) -> [(Displacement, Double)] -> Told
 toldAt shift ds =
   expected 0 orAstray [(d, 1) | (d, _) <- ds, displacementShift d == shift]
 
--- | The part of F that is of the cells: how likely they are together, by what frames tell of them.
+-- | The cells' part of F, from the contributions of all frames.
 cellsBound :: [Told] -> Double
 cellsBound = sum . map cell . IntMap.elems . together id
   where
@@ -119,8 +119,8 @@ cellsBound = sum . map cell . IntMap.elems . together id
       where
         nothing = g Unboxed.! 0
 
--- | For each cell, by its row and column, the log-likelihood ratio of each class to an empty cell,
--- by what frames tell of it.
+-- | For each cell, by row and column, the log-likelihood ratio of each class to an empty cell, from
+-- the contributions of all frames.
 cellsTold :: [Told] -> Map (Int, Int) ClassLogs
 cellsTold told =
   Map.fromDistinctAscList
@@ -128,7 +128,7 @@ cellsTold told =
       | (c, g) <- IntMap.toAscList (together id told)
     ]
 
--- | g_fck of an empty cell, and then of the classes.
+-- | g_fck of an empty cell, and then of the classes, from l_fck.
 orAstray :: ClassLogs -> ClassLogs
 orAstray logs = Unboxed.map mixed (Unboxed.cons 0 l)
   where
@@ -140,35 +140,36 @@ orAstray logs = Unboxed.map mixed (Unboxed.cons 0 l)
 cellsAlone :: [ClassLogs] -> Double
 cellsAlone = sum . map (cellOf . Unboxed.map (cellShare *))
 
--- | What a frame's displacements tell of sigma.
+-- | The statistics of sigma from the displacements of one frame.
 squaresOf :: [(Displacement, Double)] -> Squares
 squaresOf ds = Squares 1 (sum [p * displacementSquare d | (d, p) <- ds])
 
--- | What all displacements tell of sigma.
+-- | The statistics of sigma from the displacements of all frames.
 fieldSquares :: MeanField -> Squares
 fieldSquares = foldMap squaresOf . fieldFrames
 
--- | For each, what all others are together.
+-- | For each element, the combination of all others (leave-one-out).
 allButOne :: Monoid m => [m] -> [m]
 allButOne ms = zipWith (<>) (scanl (<>) mempty ms) (drop 1 (scanr (<>) mempty ms))
 
--- | What is expected of the cells that a frame sees, over its displacements of more than that
--- probability, given what each makes of the log likelihoods of a cell's classes.
+-- | The expected log-likelihoods of the cells that a frame sees, over its displacements of more
+-- than the given probability. The function is applied to a cell's log-likelihoods first.
 expected :: Double -> (ClassLogs -> ClassLogs) -> [(Displacement, Double)] -> IntMap ClassLogs
 expected least of' ds =
   IntMap.fromListWith
     (Unboxed.zipWith (+))
     [(c, Unboxed.map (* p) (of' l)) | (d, p) <- ds, p > least, (c, l) <- displacementCells d]
 
--- | What all frames say of each cell.
+-- | The sum of all frames' log-likelihoods in each cell.
 together :: (frame -> IntMap ClassLogs) -> [frame] -> IntMap ClassLogs
 together told = foldl' (\m -> IntMap.unionWith (Unboxed.zipWith (+)) m . told) IntMap.empty
 
--- | The log-likelihood ratio of a cell, its classes summed, to an empty one.
+-- | The log-likelihood ratio of a cell, classes summed, to an empty one.
 cellOf :: ClassLogs -> Double
 cellOf l = cellLog (Unboxed.length l) (l Unboxed.!)
 
--- | The log-likelihood ratio of a cell to an empty one by one frame, given what the others say.
+-- | The log-likelihood ratio of a cell to an empty one by one frame, given first the sum of the
+-- others' log-likelihoods.
 cellGiven :: ClassLogs -> ClassLogs -> Double
 cellGiven others mine =
   top

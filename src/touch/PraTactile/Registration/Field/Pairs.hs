@@ -3,13 +3,14 @@
 
 -- | The mean field of "PraTactile.Registration.Model" over pairs of frames that overlap.
 --
--- > q_f(d) ~ prior(d) * product over the pairs of f of (1 + sum over d' of q_g(d') exp L_fg(d' - d))
+-- > q_f(d) ~ prior(d) * product over pairs of f of (1 + sum over d' of q_g(d') exp L_fg(d' - d))
 --
--- A shift common to all frames is free. The mean of m other frames tells it to sigma^2 / m, so that
--- squares are taken about that mean, and a frame's own by m / (m + 1).
+-- A shift common to all frames is free, so squares are taken about the mean of the other frames.
+-- The mean of m frames is known to a variance of sigma^2 / m. A frame's own square therefore counts
+-- m / (m + 1) times.
 --
--- Frames are placed one after the other: the first where the robot has it, for good; next the one
--- whose pairs with those placed have the highest L. Then each is found anew by all others.
+-- Frames are placed one after the other. The first stays at its nominal place for good. Next comes
+-- the frame whose pairs with those placed have the highest L. Then all others update each frame.
 module PraTactile.Registration.Field.Pairs
   ( Masses,
     pairwiseField,
@@ -43,8 +44,8 @@ import PraTactile.Registration.Numbers (heardOfPairs, pairSweeps)
 -- | The probabilities of a frame's displacements on the grid, row by row.
 type Masses = Vector Double
 
--- | Displacements (taxels) of frames together: their number, the sums of what is expected of each
--- along both axes, and of its square.
+-- | Sums over frames: their number, the expected displacements along both axes (taxels), and the
+-- expected squares.
 data Moments = Moments !Double !Double !Double !Double
 
 instance Semigroup Moments where
@@ -56,7 +57,7 @@ instance Monoid Moments where
 without :: Moments -> Moments -> Moments
 without (Moments n x y s) (Moments n' x' y' s') = Moments (n - n') (x - x') (y - y') (s - s')
 
--- | The moments of a frame, given how far its nominal place lies beyond its grid point.
+-- | The moments of a frame, given its nominal place's offset from the grid point.
 momentsOf :: Grid -> Taxels -> Masses -> Moments
 momentsOf grid beyond = V.ifoldl' with (Moments 1 0 0 0)
   where
@@ -64,31 +65,31 @@ momentsOf grid beyond = V.ifoldl' with (Moments 1 0 0 0)
       let (px, py) = fromNominal grid beyond i
        in Moments n (x + m * px) (y + m * py) (s + m * (px * px + py * py))
 
--- | The displacement from the nominal place at that point of the grid.
+-- | The displacement from the nominal place, by index on the grid.
 fromNominal :: Grid -> Taxels -> Int -> Taxels
 fromNominal grid (rx, ry) i = (fromIntegral x - rx, fromIntegral y - ry)
   where
     (x, y) = shiftAt grid i
 {-# INLINE fromNominal #-}
 
--- | The displacement from the grid point nearest to the nominal place.
+-- | The displacement from the grid point nearest to the nominal place, by index on the grid.
 shiftAt :: Grid -> Int -> (Int, Int)
 shiftAt grid i = let (y, x) = i `quotRem` (2 * reach + 1) in (x - reach, y - reach)
   where
     reach = gridReach grid
 {-# INLINE shiftAt #-}
 
--- | Displacements on the grid with their probabilities, those of next to none left out.
+-- | Displacements on the grid with their probabilities, without those below 1e-9.
 onPoints :: Grid -> Masses -> [((Int, Int), Double)]
 onPoints grid masses = [(shiftAt grid i, m) | (i, m) <- zip [0 ..] (V.toList masses), m > 1e-9]
 
--- | The squares of displacements about their mean, which is free.
+-- | The statistics of sigma, with squares about the mean, which is free.
 squaresAbout :: Moments -> Squares
 squaresAbout (Moments n x y s)
   | n < 1 = mempty
   | otherwise = Squares (n - 1) (max 0 (s - (x * x + y * y) / n))
 
--- | The log prior of a displacement from the nominal place, given the other frames.
+-- | The log prior of a displacement from the nominal place, given the other frames' moments.
 priorLog :: Grid -> Moments -> Taxels -> Double
 priorLog grid others@(Moments m sx sy _) = \(x, y) ->
   prior (counting * (squared (x - mx) + squared (y - my)))
@@ -98,15 +99,15 @@ priorLog grid others@(Moments m sx sy _) = \(x, y) ->
     counting = if m > 0 then m / (m + 1) else 1
     squared t = t * t
 
--- | q of each frame, given how far each nominal place lies beyond its grid point, how far from each
--- other the frames of a pair are compared (taxels), and the pairs. Of frames that hang together the
--- first stays where the robot has it, since what is common to all cannot be seen.
+-- | q of each frame. Given are each nominal place's offset from its grid point, the reach of the
+-- pairs' displacements (taxels), and the pairs. In each connected group the first frame stays at
+-- its nominal place, since a common shift is unobservable.
 pairwiseField :: Grid -> [Taxels] -> Int -> [Pair] -> [Masses]
 pairwiseField grid rests wide pairs =
   IntMap.elems (settled pairSweeps (IntMap.map V.maxIndex) sweep IntMap.empty)
   where
     side = 2 * gridReach grid + 1
-    -- By frame: the other one of a pair, and the sign of its own displacement in it.
+    -- By frame: the partner, the sign of its own displacement in the pair, and the pair.
     around =
       byFrame (length rests) $
         concat [[(k, (l, -1, pair)), (l, (k, 1, pair))] | pair@(Pair k l _ _) <- pairs]
@@ -114,7 +115,7 @@ pairwiseField grid rests wide pairs =
     moments k = momentsOf grid (beyond Boxed.! k)
     sweep now = fst (foldl' update (now, IntMap.foldMapWithKey moments now) order)
     order = growing (length rests) pairs
-    -- The first of those that hang together: no pair of its own has a frame before it.
+    -- The first frames of connected groups: they come before all their partners.
     roots = fst (foldl' rooted (IntSet.empty, IntSet.empty) order)
     rooted (found, before) k =
       (if starts then IntSet.insert k found else found, IntSet.insert k before)
@@ -141,8 +142,8 @@ pairwiseField grid rests wide pairs =
         logs = foldl' (V.zipWith (+)) priors [heard sign pair there | (sign, pair, there) <- told]
         prior = priorLog grid others
         priors = V.generate (side * side) (prior . fromNominal grid (beyond Boxed.! k))
-    -- The log of what a pair makes of each displacement of a frame, in the mean over those of the
-    -- other one; improbable ones of these tell nothing.
+    -- The log message of a pair to each displacement of a frame: the mean over its partner's
+    -- displacements, without improbable ones.
     heard :: Int -> Pair -> Masses -> Vector Double
     heard sign (Pair _ _ most shares) there = V.map (\t -> most + log t) $
       V.create $ do
@@ -163,8 +164,8 @@ pairwiseField grid rests wide pairs =
     width = 2 * wide + 1
     centre = wide * width + wide
 
--- | The order in which frames are placed: next the one that pairs with those placed tell most of,
--- of equals the one that all pairs do.
+-- | The order in which frames are placed, given their number. Next is the frame with the highest
+-- sum of L to those placed; ties go to the highest sum over all its pairs.
 growing :: Int -> [Pair] -> [Int]
 growing count pairs =
   go (IntMap.fromList (zip numbers (repeat 0))) (Set.fromList (map (rank 0) numbers))
@@ -183,9 +184,9 @@ growing count pairs =
           Set.insert (rank (gained + told) l) (Set.delete (rank gained l) waiting)
         )
 
-{- Note [Bounds of what is heard] x and y are points of the field, no further than the pairs' reach
-   from those of the other frame, so that their difference is one of the pair's displacements,
-   whichever of its frames is meant. -}
+{- Note [Bounds of what is heard] x and y are points of the field within the pairs' reach of the
+   other frame's point. Their difference is therefore one of the pair's displacements, for either of
+   its frames. -}
 
 -- | The likeliest displacement from the nominal place.
 likeliest :: Grid -> Taxels -> Masses -> Taxels

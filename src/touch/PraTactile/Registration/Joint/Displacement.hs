@@ -1,8 +1,8 @@
 {-# LANGUAGE BangPatterns #-}
 {-# OPTIONS_HADDOCK hide #-}
 
--- | The displacements that a frame may have on a lattice, and what it says of the cells that it
--- then sees.
+-- | The displacements that a frame may have on a lattice, with the log-likelihoods of the cells
+-- that it then sees.
 module PraTactile.Registration.Joint.Displacement
   ( Displacement (..),
     displacementOf,
@@ -31,10 +31,9 @@ import PraTactile.Registration.Lattice.Template (Templates (..))
 import PraTactile.Registration.Loops (dotWithin, tabulate)
 import PraTactile.Registration.Numbers (unlikely)
 
--- | A displacement d of a frame, in places from its grid point: |d|^2 in square places, and what it
--- says of the cells that the frame sees there: their numbers, and one after the other l_k of each.
--- There are millions of these where there are thousands of frames, so that each is kept in a few
--- words.
+-- | A displacement d of a frame, in steps from its grid point, with |d|^2 in square steps. It holds
+-- the numbers of the cells that the frame then sees, and l_k of each, one cell after the other.
+-- Thousands of frames have millions of displacements, so each is kept in a few words.
 data Displacement = Displacement
   { displacementShift :: !(Int, Int),
     displacementSquare :: !Double,
@@ -42,7 +41,8 @@ data Displacement = Displacement
     displacementLogs :: !ClassLogs
   }
 
--- | A displacement with |d|^2 and l_k of each cell, by its number; all of as many classes.
+-- | A displacement from its shift, |d|^2, and l_k of each cell by its number. All cells have
+-- equally many classes.
 displacementOf :: (Int, Int) -> Double -> [(Int, ClassLogs)] -> Displacement
 displacementOf shift square cells =
   Displacement shift square (Unboxed.fromList (map fst cells)) (Unboxed.concat (map snd cells))
@@ -56,10 +56,10 @@ displacementCells (Displacement _ _ numbers logs) =
   where
     classes = Unboxed.length logs `quot` max 1 (Unboxed.length numbers)
 
--- | The displacements of a frame that may matter: those not more than 12 below the likeliest, as
--- natural logarithms, by the frame alone; none where none has a phase that was looked at. Given are
--- the lattice's orientation and phase, the place of the frame's first one, in taxels, and what the
--- frame tells.
+-- | The likely displacements of a frame: those within 'unlikely' of the best, as natural
+-- logarithms, by the frame alone. There are none if none of their phases was evaluated. Given are
+-- the grid, the lattice's orientation and phase, and the place (taxels) of the frame's first one
+-- with its likelihood.
 displacementsOf :: Grid -> Int -> (Int, Int) -> (Taxels, Likelihood) -> [Displacement]
 displacementsOf grid orientation phase told =
   map (displacementAt grid orientation phase told) $
@@ -67,12 +67,12 @@ displacementsOf grid orientation phase told =
   where
     scores = displacementScores grid orientation phase told
 
--- | The least score of a displacement whose phase was looked at.
+-- | A lower score means that the displacement's phase was not evaluated.
 least :: Double
 least = -1e300
 
--- | The logarithm of how likely each displacement of the grid is by the frame alone, row by row, up
--- to a constant; pi is the mean over one sigma an octave.
+-- | The log score of each grid displacement by the frame alone, row by row, up to a constant. The
+-- prior pi is the mean over one sigma per octave.
 displacementScores :: Grid -> Int -> (Int, Int) -> (Taxels, Likelihood) -> V.Vector Double
 displacementScores grid orientation (phaseY, phaseX) (place, given) =
   tabulate side side $ \j ->
@@ -98,7 +98,7 @@ displacementScores grid orientation (phaseY, phaseX) (place, given) =
       where
         told sigma = V.toList (priorsAlong grid sigma beyond)
 
--- | The displacement of that index, row by row on the grid.
+-- | The displacement at an index of the grid, row by row.
 displacementAt :: Grid -> Int -> (Int, Int) -> (Taxels, Likelihood) -> Int -> Displacement
 displacementAt grid orientation (phaseY, phaseX) (place, given) k =
   displacementOf (dx, dy) (squared dx rx + squared dy ry) $
@@ -112,11 +112,11 @@ displacementAt grid orientation (phaseY, phaseX) (place, given) k =
     reach = gridReach grid
     squared d beyond = let t = fromIntegral d - beyond in t * t :: Double
 
--- | How many phases there are across and down.
+-- | The number of phases across and down.
 phaseCounts :: Likelihood -> (Int, Int)
 phaseCounts = phaseCount . placesFineness . templatePlaces . likelihoodTables
 
--- | The cells that a frame sees at a phase of an orientation, modulo the pitch: the row and column
+-- | The cells that a frame sees at an orientation and a phase, modulo the pitch: the row and column
 -- of each among the frame's places, and l_k of its classes.
 cellsOf :: Likelihood -> Int -> (Int, Int) -> [((Int, Int), ClassLogs)]
 cellsOf given orientation (phaseY, phaseX) =
@@ -132,8 +132,8 @@ cellsOf given orientation (phaseY, phaseX) =
     every first period end = [first, first + period .. end - 1]
     classesFrom start = Unboxed.generate count (\k -> classLogs given V.! (start + k))
 
--- | What a frame says of the cells that it sees, at each phase that may matter: the upright phases,
--- and the half turned ones. Phases more than 'unlikely' below the likeliest are left out.
+-- | l_k of the cells that a frame sees at each likely phase: first the upright phases, then the
+-- half turned ones. Phases more than 'unlikely' below the best are left out.
 cellsOfPhases :: Likelihood -> ([[ClassLogs]], [[ClassLogs]])
 cellsOfPhases given = (turnedBy 0, turnedBy 1)
   where
@@ -147,12 +147,11 @@ cellsOfPhases given = (turnedBy 0, turnedBy 1)
               (o, y) = row `quotRem` down
       ]
 
--- | One number for a cell's row and column: in an area that can be put together there are fewer
--- than 2^20 columns.
+-- | A cell's row and column as one number. A composite has fewer than 2^20 columns of cells.
 cellNumber :: Int -> Int -> Int
 cellNumber row column = row * 1048576 + column
 
--- | The row and column of a cell's number.
+-- | The row and column of a cell, from its number.
 cellRowColumn :: Int -> (Int, Int)
 cellRowColumn number = (row, number - row * 1048576)
   where

@@ -1,15 +1,15 @@
 {-# LANGUAGE BangPatterns #-}
 {-# OPTIONS_HADDOCK hide #-}
 
--- | Where the lattice lies under all frames together. With each frame's displacement summed, one
--- sigma an octave, and L* a frame's greatest L:
+-- | The phase of the lattice under all frames together. Displacements are summed, sigma takes one
+-- value per octave, and L*_f is a frame's greatest L:
 --
 -- > P(lambda) ~ sum over sigma of product over f of
 -- >    (delta + (1 - delta) * sum over d of pi_sigma(d) exp (L_f(lambda - n_f - d) - L*_f))
 module PraTactile.Registration.Joint.Phase
   ( CommonPhase (..),
     commonPhase,
-    glimpsedLog,
+    quickPhaseLog,
   )
 where
 
@@ -35,8 +35,8 @@ data CommonPhase = CommonPhase
     commonRowColumn :: !(Int, Int)
   }
 
--- | The phase of the lattice on the composite that at most 100 frames make likeliest; or the one
--- that is given, as orientation, row and column.
+-- | The likeliest phase of the lattice on the composite by at most 100 frames. If a phase is given
+-- (orientation, row and column), it is taken instead.
 commonPhase :: Grid -> [(Taxels, Likelihood)] -> Maybe (Int, (Int, Int)) -> CommonPhase
 commonPhase grid frames known = CommonPhase (log here) (here / V.sum probable) o (y, x)
   where
@@ -47,10 +47,10 @@ commonPhase grid frames known = CommonPhase (log here) (here / V.sum probable) o
     (row, x) = phase `quotRem` across
     (o, y) = row `quotRem` down
 
--- | log P(lambda) of the likeliest lattice up to a constant, at a glance: each frame has its
--- likeliest phase, and so the lattice has one of these.
-glimpsedLog :: Grid -> [(Taxels, Likelihood)] -> Double
-glimpsedLog grid frames =
+-- | A quick log P(lambda) of the likeliest lattice, up to a constant. Each frame has only its
+-- likeliest phase, and the lattice has one of these.
+quickPhaseLog :: Grid -> [(Taxels, Likelihood)] -> Double
+quickPhaseLog grid frames =
   maximum [logSum [sum (map (given lambda) told) | told <- bySigma] | lambda <- map fst seen]
   where
     (across, down) = phaseCount placesPerTaxel
@@ -72,23 +72,23 @@ glimpsedLog grid frames =
       | otherwise =
         log (outlier + (1 - outlier) * alongX V.! (across + x' - x) * alongY V.! (down + y' - y))
 
--- | P(lambda) up to a constant, by orientation, row and column: each frame anywhere that the
--- robot's error lets it be, for one error to each octave. None tells less than delta, so that what
--- a hundred tell, multiplied, is a number.
+-- | P(lambda) up to a constant, by orientation, row and column. Displacements are summed by their
+-- prior, and sigma takes one value per octave. Each frame's factor is at least delta, so that the
+-- product of a hundred stays above 0.
 phasePosterior :: Grid -> [(Taxels, Likelihood)] -> Vector Double
 phasePosterior grid frames = foldl1' (V.zipWith (+)) (map phasesGiven (gridOctaves grid))
   where
     (across, down) = phaseCount placesPerTaxel
     phasesGiven sigma = foldl' (given sigma) (V.replicate (2 * across * down) 1) told
     told = [(onGrid grid place, massesOf (phaseLogs seen)) | (place, seen) <- frames]
-    -- What is too small for delta is nothing.
+    -- Values too small beside delta are set to 0.
     massesOf phases =
       let !top = V.maximum phases
           likely = V.toList (V.findIndices (\l -> l - top >= -60) phases)
           !masses =
             V.replicate (V.length phases) 0 V.// [(i, exp (phases V.! i - top)) | i <- likely]
        in (masses, [shownIn [i | i <- likely, i `quot` (across * down) == o] | o <- [0, 1]])
-    -- The rows that show something, and from which column to which, by fours.
+    -- The rows that have values, and their range of columns, by fours.
     shownIn likely =
       ( V.uniq (V.fromList [i - i `rem` across | i <- likely]),
         minimum (across : columns) `quot` 4 * 4,
@@ -96,8 +96,8 @@ phasePosterior grid frames = foldl1' (V.zipWith (+)) (map phasesGiven (gridOctav
       )
       where
         columns = map (`rem` across) likely
-    -- Times what a frame says, at each phase on the composite, of its own, over the displacements
-    -- with their prior: rows of phases in which it shows something are blurred across, then down.
+    -- Multiplies by a frame's own factor at each phase of the composite: its likelihood, blurred by
+    -- the prior of displacements, across and then down, in rows that have values.
     given sigma before (((nx, ny), (rx, ry)), (masses, shown)) =
       V.concat [blurred (o * across * down) rows | (o, rows) <- zip [0, 1] shown]
       where
@@ -121,8 +121,9 @@ phasePosterior grid frames = foldl1' (V.zipWith (+)) (map phasesGiven (gridOctav
         kernelAcross = kernel grid sigma across rx
         kernelDown = kernel grid sigma down ry
 
--- | The prior of the displacements from one phase to another, along an axis of so many phases, by
--- their difference, twice around, given sigma and what is left of the place.
+-- | The prior of displacements along an axis by the difference of two phases, given sigma, the
+-- number of phases, and the place's offset from its grid point. The period is stored twice, so that
+-- differences need no wrapping.
 kernel :: Grid -> Double -> Int -> Double -> Vector Double
 kernel grid sigma period rest = once <> once
   where

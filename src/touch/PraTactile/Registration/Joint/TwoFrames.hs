@@ -1,8 +1,8 @@
 {-# LANGUAGE BangPatterns #-}
 {-# OPTIONS_HADDOCK hide #-}
 
--- | Two frames on a lattice, exactly. A shift that is common to both cannot be seen, so that the
--- first may lie where the robot has it; all phases of the lattice under it are summed.
+-- | Two frames on a lattice, solved exactly. A common shift is unobservable, so the first frame
+-- stays at its nominal place. All phases of the lattice under it are summed.
 module PraTactile.Registration.Joint.TwoFrames
   ( TwoFrames (..),
     twoFrames,
@@ -22,15 +22,16 @@ import PraTactile.Registration.Joint.Displacement
 import PraTactile.Registration.Lattice.Likelihood (Likelihood (..))
 import PraTactile.Registration.Numbers (mostCandidates)
 
--- | The second frame against the first.
+-- | The displacement of the second frame against the first.
 data TwoFrames = TwoFrames
-  { -- | The lattice's orientation, and its phase as row and column, at the likeliest displacement.
+  { -- | The lattice's orientation and phase (row, column) at the likeliest displacement.
     twoPhase :: !(Int, (Int, Int)),
-    -- | The displacements of the second frame on the grid, and how probable each is.
+    -- | The displacements of the second frame on the grid, with their probabilities.
     twoDisplacements :: [((Int, Int), Double)]
   }
 
--- | Two frames, from the places of their first phases (taxels), the second displaced on a grid.
+-- | The posterior of the second frame's displacement on a grid. Each frame comes with the place of
+-- its first phase (taxels) and its likelihood.
 --
 -- > P(d) ~ pi(d) * sum over lambda of
 -- >        product over c of (epsilon + sum over k of P(k) exp (l_Ack + l_Bck(d)))
@@ -67,7 +68,7 @@ twoFrames grid first second =
         [ (c, (l, cellOf l))
           | (c, l) <- displacementCells (displacementAt grid {gridReach = 0} o rowColumn first 0)
         ]
-    -- The scores of the displacements by both frames apart, for each phase that may matter.
+    -- For each likely phase, the scores of the displacements by both frames separately.
     byPhase =
       [ (phase, V.map (+ l) (displacementScores grid o rowColumn second))
         | (phase@(o, rowColumn), l) <- likelyPhases grid first
@@ -81,8 +82,8 @@ twoFrames grid first second =
       where
         !count = sum [V.length (V.filter (>= apart - margin) scores) | (_, scores) <- byPhase]
 
--- | The phases of the lattice under a frame where the robot has it, with their log-likelihoods:
--- those that are at most 15 below the likeliest.
+-- | The likely phases of the lattice under a frame at its nominal place, with their
+-- log-likelihoods, which are at most 15 below the best.
 likelyPhases :: Grid -> (Taxels, Likelihood) -> [((Int, (Int, Int)), Double)]
 likelyPhases grid (place, given) =
   [ ((o, ((y + ny) `mod` down, (x + nx) `mod` across)), phases V.! i)

@@ -1,9 +1,9 @@
 {-# LANGUAGE BangPatterns #-}
 {-# OPTIONS_HADDOCK hide #-}
 
--- | What symbols' taxels at any place would read of a frame. A taxel that is felt at (x, y) is seen
--- at (u, v) by g (u - x) g (v - y), where g is the share of a taxel's width that a normal blur
--- brings there; and so a place reads of a frame, added up over it.
+-- | The readings of a blurred frame, summed over areas, from which a symbol at any place is
+-- correlated by its corners. A taxel felt at (x, y) contributes to (u, v) by g (u - x) g (v - y),
+-- where g is the share of a taxel's width that a normal blur brings there.
 module PraTactile.Registration.Lattice.Blur
   ( seenAt,
     areaSums,
@@ -20,21 +20,21 @@ import PraTactile.Registration.Loops (tabulate)
 import PraTactile.Registration.Numbers (blurDeviation)
 import PraTactile.Shape.Blur (blurredAt)
 
--- | The share of a unit taxel, blurred, that is seen at this distance from its centre: nothing from
--- three taxels on.
+-- | The share of a unit taxel, blurred, that is seen at distance u from its centre: 0 from three
+-- taxels on.
 seenAt :: Double -> Double
 seenAt u
   | abs u >= 3 = 0
   | otherwise = blurredAt blurDeviation u
 
--- | What the padded grid reads of a frame, added up: of values one each whole taxel before a place,
--- across and down, up to its own, their sum over the rectangle that ends there. The grid begins a
--- taxel before the padded one; that first row and column of taxels are 0.
+-- | The blurred readings of a frame on the padded grid, as a table of sums. An entry sums the
+-- readings at whole taxels before its place, across and down, up to its own. The table begins a
+-- taxel before the padded grid; that first row and column of taxels are 0.
 areaSums :: Places -> Raster -> Vector Double
 areaSums = areaSumsGiven Nothing
 
--- | The same, given those at whole taxels only. Along the frame's axes it is blurred by rows first
--- and then by columns, else at each place by itself.
+-- | 'areaSums', given the table at whole taxels if there is one. Along the frame's axes rows are
+-- blurred first and then columns; at an angle each place is blurred by itself.
 areaSumsGiven :: Maybe (Vector Double) -> Places -> Raster -> Vector Double
 areaSumsGiven coarse places image
   | placesAngle places == 0 =
@@ -49,7 +49,7 @@ areaSumsGiven coarse places image
   where
     summed at = V.create $ do
       sums <- M.replicate (wide * high) 0
-      -- From a part of a taxel, down and across.
+      -- For each fraction of a taxel, down and across.
       let parts' !py !px
             | py >= q = pure ()
             | px >= q = parts' (py + 1) 0
@@ -87,9 +87,9 @@ areaSumsGiven coarse places image
     !axes = axesOf places
     -- Evaluated here rather than at each place.
     !parts = shares
-    -- None of the six taxels around it is on the frame.
+    -- None of the six taxels around t is on the frame.
     beyond n t = t < -3 || t >= fromIntegral (n + 2)
-    -- The frame with nothing around it.
+    -- The frame with a margin of zeros.
     !edged =
       tabulate edgedWide edgedHigh $ \y x ->
         if x < edge || x >= edge + w || y < edge || y >= edge + h
@@ -97,23 +97,23 @@ areaSumsGiven coarse places image
           else V.unsafeIndex (rasterValues image) ((y - edge) * w + x - edge)
     !edgedWide = w + 2 * edge
     !edgedHigh = h + 2 * edge
-    -- By columns.
+    -- Blurred along rows, stored by columns.
     across =
       tabulate edgedHigh (wide - q) $ \x ->
         let (u, _) = onFrame axes x 0
             !near = parted u
          in \v -> if beyond w u then 0 else six parts edged (v * edgedWide) near
 
-{- Note [Bounds of areas] Rows and columns begin with q, a taxel, so that what lies a taxel before
-   is in the grid. The sums at whole taxels are every q-th of these, across and down. -}
+{- Note [Bounds of areas] Rows and columns begin with q, a taxel, so that the entry a taxel before
+   is in the table. The table at whole taxels has every q-th entry, across and down. -}
 
--- | How many taxels of nothing are put around a frame: as far as the six around a place reach, if
--- any of them is on the frame.
+-- | The width of the margin of zeros around a frame: it holds the six taxels around any place that
+-- has one of them on the frame.
 edge :: Int
 edge = 5
 
--- | A place along an axis as the first of the six taxels around it, counted from the edge on, and
--- where their shares begin.
+-- | A place along an axis: the first of the six taxels around it, counted with the margin, and the
+-- index of their shares.
 data Parted = Parted !Int !Int
 
 parted :: Double -> Parted
@@ -123,7 +123,8 @@ parted t = Parted (whole - 2 + edge) (6 * truncate (fromIntegral partsOfTaxel * 
     beyond = t - fromIntegral whole
 {-# INLINE parted #-}
 
--- | What a place reads of the six taxels around it in a line that begins there, given 'shares'.
+-- | The blurred reading from six taxels in a line, given 'shares', the values, and where the line
+-- begins.
 six :: Vector Double -> Vector Double -> Int -> Parted -> Double
 six !parts !values !start (Parted first share) =
   at 0 + at 1 + at 2 + at 3 + at 4 + at 5
@@ -134,9 +135,9 @@ six !parts !values !start (Parted first share) =
     !values' = V.unsafeDrop (start + first) values
 {-# INLINE six #-}
 
--- | What a place reads of the six times six taxels around it, of rows of so many values: by its
--- places across and down. A function of its own, as in a loop over places the processor's registers
--- would not do.
+-- | The blurred reading from six times six taxels, given the width of the rows, and the place
+-- across and down. It is a function of its own, because a loop over places would run out of the
+-- processor's registers.
 alone :: Vector Double -> Vector Double -> Int -> Parted -> Parted -> Double
 alone !parts !values !wide across (Parted first share) = go 0 0
   where
@@ -149,7 +150,7 @@ alone !parts !values !wide across (Parted first share) = go 0 0
         go (t + 1) (s + V.unsafeIndex shares' t * six parts values ((first + t) * wide) across)
 {-# NOINLINE alone #-}
 
--- | The shares of the six taxels around a place, by the part of a taxel that it lies beyond the
+-- | The shares of the six taxels around a place, by the fraction of a taxel that it lies beyond the
 -- third of them.
 shares :: Vector Double
 shares =
@@ -157,10 +158,10 @@ shares =
     let (part, u) = i `quotRem` 6
      in seenAt (fromIntegral (u - 2) - fromIntegral part / fromIntegral partsOfTaxel)
 
--- | How finely the place between two taxels is told for that.
+-- | The number of fractions of a taxel for which 'shares' has entries.
 partsOfTaxel :: Int
 partsOfTaxel = 32
 
 {- Note [Bounds of shares] A place that is not beyond the frame lies from 3 before its first taxel
-   to less than 3 behind its last, so that the six around it are within 5 of the frame, as far as
-   there is nothing put around it. The shares of each of the 33 parts are six. -}
+   to less than 3 behind its last. The six taxels around it are therefore within the margin of 5.
+   Each of the 33 fractions has six shares. -}

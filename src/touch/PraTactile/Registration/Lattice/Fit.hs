@@ -1,17 +1,16 @@
 {-# OPTIONS_HADDOCK hide #-}
 
--- | How a frame reads relief, and with it what it tells of the lattice under it: found from coarse
--- to fine by the steps of "PraTactile.Registration.Lattice.Likelihood".
+-- | Fits how a frame reads relief, and with it the likelihood of the lattice under it. It goes from
+-- coarse to fine by the steps of "PraTactile.Registration.Lattice.Likelihood".
 --
--- The steps begin with v that of white noise, and with a and b as they are usual of symbols: v,
+-- The steps begin with the v of white noise, and with a and b as they are usual of symbols: v,
 -- within 0.001 to 0.95, is a quarter of the mean square of
 -- z(x, y) - z(x + 1, y) - z(x, y + 1) + z(x + 1, y + 1), a = root (max 0.02 (1 - v)) / 0.36, and
 -- b = - 0.15 a.
 --
--- Four steps are at whole taxels, the first over all phases, the others over those that it leaves
--- likely (within e^30 of the best); then one is at half taxels, over the phases less than a taxel
--- from one that is still likely. No other phase is looked at, unless all of these have the frame
--- where the robot's error does not let it be.
+-- Four steps use whole taxels: the first all phases, the others those within e^30 of the best. One
+-- more step uses half taxels, and the phases less than a taxel from one that is still likely. Other
+-- phases are evaluated only if all of these put the frame beyond the robot's error.
 module PraTactile.Registration.Lattice.Fit
   ( Fit (..),
     fitOf,
@@ -41,41 +40,41 @@ import PraTactile.Image
     zipRaster,
   )
 import PraTactile.Registration.Lattice.Blur (areaSumsGiven)
-import PraTactile.Registration.Lattice.Glimpse
+import PraTactile.Registration.Lattice.Crop
 import PraTactile.Registration.Lattice.Likelihood
 import PraTactile.Registration.Lattice.Places
 import PraTactile.Registration.Lattice.Template
 import PraTactile.Registration.Model
 import PraTactile.Registration.Numbers (negligible)
 
--- | What a frame tells, each part made when it is first looked at.
+-- | The fit of a frame. Fields are computed on first use.
 data Fit = Fit
-  { -- | log p(z) at whole taxels, over the phases that the first step leaves likely.
+  { -- | log p(z) at whole taxels, over the phases that are likely after the first step.
     fitCoarse :: Double,
-    -- | The same at all places, over the phases that it leaves likely at whole taxels.
+    -- | log p(z) at all places, over the phases that are likely at whole taxels.
     fitLikely :: Double,
-    -- | All that it tells of these phases.
+    -- | The likelihood of these phases.
     fitSome :: Likelihood,
-    -- | All, of all phases.
+    -- | The likelihood of all phases.
     fitLikelihood :: Likelihood,
-    -- | The share of the frame's taxels that count.
+    -- | The frame's total weight as a share of its taxels.
     fitShare :: !Double
   }
 
--- | What a frame of the tables' size tells. A frame without any variation tells next to nothing.
+-- | The likelihood of a frame of the tables' size, over all phases. A frame without variation is
+-- next to uninformative.
 likelihood :: Templates -> Touched -> Likelihood
 likelihood tables = fitLikelihood . fitOf tables
 
--- | A frame, and what each of its taxels counts, 0 to 1; 'Nothing' for 1 each.
+-- | A frame and the weights of its taxels, 0 to 1; 'Nothing' for weights of 1.
 type Touched = (Raster, Maybe Raster)
 
--- | A frame all of whose taxels count.
+-- | A frame whose taxels all have weight 1.
 whole :: Raster -> Touched
 whole image = (image, Nothing)
 
--- | The same by parts. Theta is found by four steps at whole taxels, all but the first for likely
--- phases only; and by one at all places, for the phases around those that are likely at whole
--- taxels by the theta that was found there.
+-- | Fits theta by four steps at whole taxels, all but the first for likely phases only. One step at
+-- all places follows, for the phases around those that are likely by that theta.
 fitOf :: Templates -> Touched -> Fit
 fitOf tables (image, shares) =
   Fit
@@ -113,7 +112,7 @@ fitOf tables (image, shares) =
     coarsely = eStep coarseAll (likelihoodTheta coarse)
     fine = eStep fineLikely (step fineLikely (likelihoodTheta coarse))
 
--- | N, how many taxels count, and the mean and the standard deviation of their readings.
+-- | N, the total weight, and the mean and the standard deviation of the readings by weight.
 standardOf :: Touched -> (Double, Double, Double)
 standardOf (image, shares) = (n, average, deviation)
   where
@@ -123,13 +122,13 @@ standardOf (image, shares) = (n, average, deviation)
     deviation = sqrt (V.sum (counted (V.map (\v -> (v - average) * (v - average)) values)) / n)
     counted = maybe id (V.zipWith (*) . rasterValues) shares
 
--- | The phases that are not most unlikely.
+-- | The phases within 'negligible' of the best.
 likelyPhases :: Likelihood -> [Int]
 likelyPhases given = V.toList (V.findIndices (> V.maximum phases - negligible) phases)
   where
     phases = phaseLogs given
 
--- | The phases of finer tables that are less than a taxel from some of coarser ones.
+-- | The phases of finer tables that are less than a taxel from the given phases of coarser ones.
 finePhases :: Templates -> Templates -> [Int] -> [Int]
 finePhases coarse fine = IntSet.toList . IntSet.fromList . concatMap around
   where
@@ -145,8 +144,8 @@ finePhases coarse fine = IntSet.toList . IntSet.fromList . concatMap around
               i <- [1 - q .. q - 1]
           ]
 
--- | A first guess: the noise from the second differences across, in which smooth relief has next to
--- no part, and the gain and the offset from what is usual of symbols.
+-- | Starting point of EM. The noise comes from the second differences, in which smooth relief has
+-- next to no part. The gain and the offset are usual for symbols.
 firstTheta :: Raster -> Theta
 firstTheta image = Theta gain (-0.15 * gain) noise
   where
@@ -164,28 +163,28 @@ firstTheta image = Theta gain (-0.15 * gain) noise
       | otherwise = max 1e-3 (min 0.95 (sum differences / (4 * fromIntegral (length differences))))
     gain = sqrt (max 0.02 (1 - noise)) / 0.36
 
--- | What frames tell of the lattice at an angle. Each table and what each frame tells is made when
--- it is first looked at, and once.
+-- | Fits of frames to the lattice at an angle. Each table and each fit is computed once, on first
+-- use.
 data Fits = Fits
   { -- | Degrees clockwise from the frames' axes.
     fitsAngle :: !Double,
-    -- | The tables by the width and height of frames.
+    -- | The templates by the width and height of frames.
     fitsTables :: (Int, Int) -> Templates,
     -- | In the order of the frames.
     fitsFrames :: [Fit]
   }
 
--- | Frames of any sizes at an angle, degrees clockwise. What tells the angle, 'fitCoarse' and
--- 'fitLikely', is of the 'glimpse' of each.
+-- | Fits frames of any sizes at an angle, degrees clockwise. 'fitCoarse' and 'fitLikely', which
+-- determine the angle, belong to the crop of each frame.
 fitsAt :: LatticeTables -> [Touched] -> Double -> Fits
 fitsAt tables images angle = Fits angle at (map fit images)
   where
-    at = bySize (sizes ++ map glimpseSize sizes) (tablesAt tables angle)
+    at = bySize (sizes ++ map cropSize sizes) (tablesAt tables angle)
     sizes = map (rasterSize . fst) images
     fit seen@(image, _)
-      | glimpseSize (rasterSize image) == rasterSize image = all'
+      | cropSize (rasterSize image) == rasterSize image = all'
       | otherwise =
-        (fitted (whole (glimpse image)))
+        (fitted (whole (variedCrop image)))
           { fitSome = fitSome all',
             fitLikelihood = fitLikelihood all'
           }
@@ -193,7 +192,7 @@ fitsAt tables images angle = Fits angle at (map fit images)
         all' = fitted seen
     fitted seen = fitOf (at (rasterSize (fst seen))) seen
 
--- | Tables by size, each of these sizes' made once.
+-- | Tables by size; those of the given sizes are computed once.
 bySize :: [(Int, Int)] -> ((Int, Int) -> tables) -> (Int, Int) -> tables
 bySize sizes make = \size -> Map.findWithDefault (make size) size made
   where

@@ -1,19 +1,19 @@
 {-# LANGUAGE BangPatterns #-}
 {-# OPTIONS_HADDOCK hide #-}
 
--- | What one frame tells of the lattice of cells under it: the likelihood of phases of the lattice
--- and of each cell's class. The alphabet and the pitch of the cells are known; the array,
--- the gain, the offset and the noise of the frame are not.
+-- | The likelihood of one frame: of the phases of the lattice under it, and of each cell's class.
+-- The alphabet and the pitch of the cells are known. The array is not, and neither are the frame's
+-- gain, offset and noise.
 --
 -- A symbol of class k whose upper left taxel lies at x, in orientation o (upright or half turned),
 -- brings to taxel u the relief
 --
 -- > T(u) = sum over the embossed taxels j of class k, turned by o, of g(u - x - j)
 --
--- where g is that of "PraTactile.Shape.Blur", but 0 from three taxels on along an axis. On a
--- lattice at an angle the taxels j are turned with it, and g, which is nearly the same in all
--- directions, is not. Places x are those from which a symbol's taxels come within two taxels of the
--- frame. Against an empty cell at x the log-likelihood ratios are
+-- where g is that of "PraTactile.Shape.Blur", but 0 from three taxels on along an axis. At an angle
+-- the taxels j turn with the lattice; g, nearly the same in all directions, does not. Places x are
+-- those from which a symbol's taxels come within two taxels of the frame. The log-likelihood ratios
+-- to an empty cell at x are
 --
 -- > l_k(x)    = (a <z, T> - a b sum T - a^2 sum T^2 / 2) / v
 -- > l(x)      = log (epsilon + sum over k of P(k) exp l_k(x))               a cell, classes summed
@@ -21,8 +21,7 @@
 -- > log p(z)  = log (mean over lambda of exp L(lambda))
 -- >             - N (1 + b^2) / (2 v) - N/2 log (2 pi v)                    the frame
 --
--- Theta is found by expectation and maximisation, with phases and classes summed. No step makes
--- p(z) smaller:
+-- EM finds theta, with phases and classes summed. No step makes p(z) smaller:
 --
 -- > eStep:  w(lambda) ~ exp L(lambda),    p_k(x) = P(k) exp (l_k(x) - l(x))
 -- > mStep:  Y, S, Q = sum of w(lambda) p_k(x) times <z, T>, sum T, sum T^2,
@@ -30,8 +29,8 @@
 -- >         a = Y / (Q - S^2 / N),    b = - a S / N
 -- >         v = (N (1 + b^2) - 2 a (Y - b S) + a^2 Q) / N
 --
--- Of a tilted press the sums over taxels are by weight: the mean and variance of z, N, \<z, T>, sum
--- T and sum T^2, of which the last is taken for as much less as sum T is.
+-- For a tilted press, sums over taxels are by weight: the mean and variance of z, N, \<z, T> and
+-- sum T. Sum T^2 shrinks by the factor by which the weights shrink sum T.
 module PraTactile.Registration.Lattice.Likelihood
   ( Likelihood (..),
     eStep,
@@ -56,40 +55,41 @@ import PraTactile.Registration.Loops (tabulate)
 import PraTactile.Registration.Model
 import PraTactile.Registration.Numbers (leastGain, leastVariance, leastWeight, negligible)
 
--- | What a frame tells.
+-- | The likelihood of one frame.
 data Likelihood = Likelihood
   { likelihoodTables :: !Templates,
     likelihoodTheta :: !Theta,
-    -- | Where what is told of a cell stands, by 'cellIndex', where any phase that it is of was
-    -- looked at.
+    -- | The position of a cell in 'cellLogs', from its 'cellIndex', if any phase that it belongs to
+    -- was evaluated.
     cellAt :: Int -> Int,
-    -- | How much likelier, as a natural logarithm, a symbol of a class makes the frame than nothing
-    -- in a cell: by where it stands, and then the class.
+    -- | l_k: the log-likelihood ratio of each class to an empty cell, by the cell's position and
+    -- then the class.
     classLogs :: !(Vector Double),
-    -- | The same for a cell whose class is not known, by where it stands.
+    -- | l: the log-likelihood ratio of a cell, classes summed, to an empty one, by the cell's
+    -- position.
     cellLogs :: !(Vector Double),
-    -- | The same for a whole lattice: by orientation, and the row and the column of places, modulo
-    -- the pitch, of its cells; minus infinity for phases that were not looked at.
+    -- | L: the log-likelihood ratio of a phase, by orientation, and the row and column of places
+    -- modulo the pitch. It is minus infinity for phases that were not evaluated.
     phaseLogs :: !(Vector Double),
-    -- | Which of these is likeliest.
+    -- | The index of the greatest of 'phaseLogs'.
     likeliestPhase :: Int,
-    -- | The logarithm of the frame's probability density, standardised to variance 1.
+    -- | log p(z): the frame's log probability density, standardised to variance 1.
     logDensity :: !Double
   }
 
--- | What theta is found from: the tables, some phases of the lattice with where their cells stand
--- among the moments, where others do by 'cellIndex', the moments, and N, how many taxels count.
+-- | The data of the steps: the tables, some phases with the positions of their cells, the position
+-- of a cell by its 'cellIndex', the moments by position, and N, the total weight.
 data Statistics = Statistics !Templates Phases (Int -> Int) Moments !Double
 
--- | A frame as it is held against templates: 'areaSums' of its readings, each times what its taxel
--- counts; where some count less than 1, those of what they count; and how many count in all.
+-- | A frame as it is compared with templates: 'areaSums' of its weighted readings; 'areaSums' of
+-- the weights, unless all are 1; and the total weight.
 data Felt = Felt
   { feltReadings :: Vector Double,
     feltShares :: Maybe (Vector Double),
     feltCount :: !Double
   }
 
--- | All phases of a frame.
+-- | The statistics of all phases of a frame.
 allPhases :: Templates -> Felt -> Statistics
 allPhases tables (Felt areas shares n) =
   Statistics
@@ -104,7 +104,7 @@ allPhases tables (Felt areas shares n) =
     )
     n
 
--- | Some of all phases.
+-- | Restricts the statistics of all phases to some of them.
 atPhases :: Statistics -> [Int] -> Statistics
 atPhases statistics@(Statistics tables _ _ (Moments products sums squares) n) phases
   | many tables phases = statistics
@@ -117,7 +117,7 @@ atPhases statistics@(Statistics tables _ _ (Moments products sums squares) n) ph
       tabulate count (V.length cells) $ \c ->
         let !start = V.unsafeIndex cells c * count in \k -> V.unsafeIndex numbers (start + k)
 
--- | The same from the frame, without looking at the numbers of all.
+-- | The statistics of some phases, from the frame, without evaluating all.
 somePhases :: Templates -> Felt -> [Int] -> Statistics
 somePhases tables felt@(Felt areas shares n) phases
   | many tables phases = allPhases tables felt
@@ -126,7 +126,8 @@ somePhases tables felt@(Felt areas shares n) phases
     momentsOf cells =
       maybe id (\of' -> weighed (productsAt tables of' cells)) shares (momentsAt tables areas cells)
 
--- | Phases with the moments of their cells, which are given by 'cellIndex'.
+-- | The statistics of some phases, given a function for the moments of cells, which are given by
+-- 'cellIndex'.
 among :: Templates -> [Int] -> (Vector Int -> Moments) -> Double -> Statistics
 among tables phases momentsOf =
   Statistics
@@ -139,12 +140,12 @@ among tables phases momentsOf =
     cells = phaseCells here
     numbers = IntMap.fromList (zip (V.toList cells) [0 ..])
 
--- | Whether so many phases are compared faster together with all others, as are none: then what the
--- frame tells is no number.
+-- | Whether to evaluate all phases at once: when more than a quarter are wanted, or none
+-- (log-likelihoods are NaN).
 many :: Templates -> [Int] -> Bool
 many tables phases = null phases || 4 * length phases > phaseTotal (templatePlaces tables)
 
--- | Everything at a theta.
+-- | All log-likelihoods at a theta.
 eStep :: Statistics -> Theta -> Likelihood
 eStep (Statistics tables lattices at (Moments products sums squares) n) theta =
   Likelihood tables theta at classes cells phases (V.maxIndex phases) total
@@ -178,20 +179,20 @@ eStep (Statistics tables lattices at (Moments products sums squares) n) theta =
         - n * (1 + offset * offset) / (2 * variance)
         - n / 2 * log (2 * pi * variance)
 
-{- Note [Bounds of classes] The correlations, the sums and the squares of a template all have one
+{- Note [Bounds of classes] The correlations, the sums and the squares of templates all have one
    number for each cell and class. -}
 
--- | How likely something is as a share of the likeliest, from the logarithms.
+-- | The likelihood relative to the best, from logarithms; 0 below 'negligible'.
 relativeTo :: Double -> Double -> Double
 relativeTo top l = if l - top < negate negligible then 0 else exp (l - top)
 
--- | From cells to lattices: the sum over the cells of each.
+-- | The sum of the cells' values over each phase.
 overPhases :: Phases -> Vector Double -> Vector Double
 overPhases lattices !values = V.generate (V.length (phaseBegins lattices) - 1) phase
   where
     phase i = overCells lattices i 0 (\s cell -> s + V.unsafeIndex values cell)
 
--- | Over the cells of a phase, which are given by their numbers, from a start.
+-- | Folds over the cells of phase i, which are given by number, from a start.
 overCells :: Phases -> Int -> s -> (s -> Int -> s) -> s
 overCells (Phases _ !begins !cells) i start step = go (V.unsafeIndex begins i) start
   where
@@ -202,14 +203,13 @@ overCells (Phases _ !begins !cells) i start step = go (V.unsafeIndex begins i) s
       | otherwise = go (c + 1) (step s (V.unsafeIndex cells c))
 {-# INLINE overCells #-}
 
-{- Note [Bounds of cells] The beginnings have an end, and each lies within the cells; these have
-   their numbers in the tables that they are cells of, as phases have theirs among all. -}
+{- Note [Bounds of cells] The beginnings have a final end, and each lies within the cells. Cells are
+   numbers within their tables, as phases are numbers among all phases. -}
 
--- | Sums over symbols, each as probable as it is: of their correlations, of the templates and of
--- the templates' squares.
+-- | Posterior sums over symbols: of the correlations, of sum T, and of sum T^2.
 data Sums = Sums !Double !Double !Double
 
--- | By what the phases and the symbols probably are at a theta, the theta that fits them best.
+-- | The theta that fits best, given the posterior of phases and symbols at a theta.
 mStep :: Statistics -> Likelihood -> Theta
 mStep (Statistics tables lattices _ moments n) given = Theta gain' offset' variance'
   where
@@ -248,7 +248,7 @@ mStep (Statistics tables lattices _ moments n) given = Theta gain' offset' varia
             i = start + k
             l = V.unsafeIndex ofClasses i - cell
             p = share * exp l
-    -- The regression of the frame, of mean 0 and variance 1, on the relief.
+    -- Regression of the frame, of mean 0 and variance 1, on the relief.
     product' = sumY / total
     sum' = sumT / total
     square' = sumTT / total

@@ -1,7 +1,7 @@
 {-# OPTIONS_HADDOCK hide #-}
 
--- | Where symbols are tried on frames of one size: places on a grid along the symbols' axes, which
--- may be turned from the frames'; and the phases of a lattice of cells there.
+-- | The places at which symbols are tried on frames of one size: a grid along the symbols' axes,
+-- which may be turned from the frame's. Also the phases of a lattice of cells on this grid.
 module PraTactile.Registration.Lattice.Places
   ( -- * Places
     Places (..),
@@ -33,9 +33,9 @@ import PraTactile.Geometry (columnPitch, cosineSine, rotated, rowPitch, symbolHe
 data Places = Places
   { -- | The width and height of the frames.
     placesFrame :: !(Int, Int),
-    -- | By how many degrees, clockwise, the symbols' axes are turned from the frames'.
+    -- | The angle of the symbols' axes against the frame's, degrees clockwise.
     placesAngle :: !Double,
-    -- | Places to the taxel.
+    -- | Places per taxel.
     placesFineness :: !Int,
     -- | The first column and the first row of places, along the symbols' axes, in taxels from the
     -- centre of the frame's upper left taxel.
@@ -45,8 +45,8 @@ data Places = Places
   }
   deriving stock (Eq, Show)
 
--- | The places for axes that are turned by so many degrees clockwise, frames of that width and
--- height, and so many places to the taxel.
+-- | The places for an angle (degrees clockwise), a frame's width and height, and the number of
+-- places per taxel.
 placesAt :: Double -> Int -> Int -> Int -> Places
 placesAt angle w h q =
   Places
@@ -64,35 +64,35 @@ placesAt angle w h q =
       ]
     (left, wide) = extent (map fst corners)
     (top, high) = extent (map snd corners)
-    -- The first whole number, and how many reach to the last.
+    -- The first whole number, and how many whole numbers reach to the last.
     extent :: [Double] -> (Int, Int)
     extent ts =
       let first = floor (minimum ts + 1e-9) in (first, ceiling (maximum ts - 1e-9) - first + 1)
 
--- | How far from its own taxels a symbol still counts, in taxels.
+-- | How far a symbol is felt beyond its own taxels, in taxels.
 fringe :: Int
 fringe = 2
 
--- | Where an orientation (0 upright, 1 half turned), a row and a column of places lie in tables, to
--- be multiplied by the number of classes where these have one number a class.
+-- | The index of a cell in tables, from its orientation (0 upright, 1 half turned), row and column
+-- of places. Tables with one number per class multiply it by the number of classes.
 cellIndex :: Places -> Int -> Int -> Int -> Int
 cellIndex places orientation y x = (orientation * rows + y) * columns + x
   where
     (columns, rows) = placesGrid places
 {-# INLINE cellIndex #-}
 
--- | How places lie on the frame: the first one along the axes, places to the taxel, and the cosine
--- and the sine of the axes' angle.
+-- | Maps places to the frame: the first place along the axes, places per taxel, and the cosine and
+-- the sine of the axes' angle.
 data Axes = Axes !Double !Double !Double !Double !Double
 
--- | Those of some places.
+-- | The axes of some places.
 axesOf :: Places -> Axes
 axesOf places = Axes (fromIntegral x) (fromIntegral y) (fromIntegral (placesFineness places)) c s
   where
     (x, y) = placesFirst places
     (c, s) = cosineSine (placesAngle places)
 
--- | Where a column and a row of places lie on the frame, taxels.
+-- | The place on the frame, taxels, of a column and a row of places.
 onFrame :: Axes -> Int -> Int -> (Double, Double)
 onFrame (Axes firstX firstY q c s) column row = (c * x - s * y, s * x + c * y)
   where
@@ -104,31 +104,31 @@ onFrame (Axes firstX firstY q c s) column row = (c * x - s * y, s * x + c * y)
 paddedWidth :: Places -> Int
 paddedWidth places = fst (placesGrid places) + (symbolWidth - 1) * placesFineness places
 
--- | Its height.
+-- | The height of the grid of places, padded so that a symbol at any place lies on it.
 paddedHeight :: Places -> Int
 paddedHeight places = snd (placesGrid places) + (symbolHeight - 1) * placesFineness places
 
--- | The width of the grid of the sums of areas, which begins a taxel before the padded grid.
+-- | The width of the tables of 'areaSums', which begin a taxel before the padded grid.
 areasWidth :: Places -> Int
 areasWidth places = paddedWidth places + placesFineness places
 
--- | The number of phases across and down, places to the taxel given.
+-- | The number of phases across and down, given the places per taxel.
 phaseCount :: Int -> (Int, Int)
 phaseCount q = (columnPitch * q, rowPitch * q)
 
--- | Some phases of a lattice: their numbers, where the cells of each begin, with an end, and the
--- cells.
+-- | Some phases of a lattice: their numbers, the beginnings of their cells with a final end, and
+-- the cells.
 data Phases = Phases
   { phaseNumbers :: !(Vector Int),
     phaseBegins :: !(Vector Int),
     phaseCells :: !(Vector Int)
   }
 
--- | The number of all phases: orientation, row and column of places, modulo the pitch.
+-- | The number of all phases: orientations, rows and columns of places, modulo the pitch.
 phaseTotal :: Places -> Int
 phaseTotal places = let (across, down) = phaseCount (placesFineness places) in 2 * across * down
 
--- | The cells of those phases, by 'cellIndex'.
+-- | The given phases with their cells, by 'cellIndex'.
 phasesOf :: Places -> [Int] -> Phases
 phasesOf places phases =
   Phases
@@ -138,7 +138,7 @@ phasesOf places phases =
   where
     cells = map (cellsOfPhase places) phases
 
--- | The cells of a lattice, by 'cellIndex'.
+-- | The cells of a phase, by 'cellIndex'.
 cellsOfPhase :: Places -> Int -> [Int]
 cellsOfPhase places phase =
   [ cellIndex places orientation y x

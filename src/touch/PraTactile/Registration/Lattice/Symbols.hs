@@ -1,8 +1,8 @@
 {-# LANGUAGE BangPatterns #-}
 {-# OPTIONS_HADDOCK hide #-}
 
--- | The symbols of an alphabet as tables are made of them, whatever the frames' size and angle:
--- their outlines, and the squares of what they read.
+-- | The symbols of an alphabet, prepared for tables of any frame size and angle: their outlines,
+-- and their squared readings.
 module PraTactile.Registration.Lattice.Symbols
   ( Symbols (..),
     symbolsOf,
@@ -37,16 +37,17 @@ import PraTactile.Shape
 data Symbols = Symbols
   { -- | The number of classes.
     symbolsClasses :: !Int,
-    -- | For each orientation and class its corners: column, row, and how often the sum of the area
-    -- up to there counts, so that what remains is the sum over the shape. That is the second
-    -- difference of the shape's bitmap, across and down.
+    -- | For each orientation and class the corners of its shape: column, row, and the factor of the
+    -- summed area there. The factors are the second difference of the bitmap, across and down, so
+    -- that their total is the sum over the shape.
     symbolsCorners :: [[(Int, Int, Double)]],
-    -- | For each orientation, and each part of a taxel, down and across, by which a symbol lies
-    -- further: what taxels read of each class, squared, in a box that begins the margin before it.
+    -- | The squared readings of each class in a box that begins 'margin' before the symbol. There
+    -- is a box for each orientation, and for each fraction of a taxel, down and across, by which
+    -- the symbol is shifted.
     symbolsSquares :: !(Vector Double)
   }
 
--- | The symbols of an alphabet.
+-- | Prepares the symbols of an alphabet.
 symbolsOf :: Alphabet -> Symbols
 symbolsOf alphabet =
   Symbols count (map corners (upright ++ turned)) (V.concat (map squares [upright, turned]))
@@ -54,7 +55,7 @@ symbolsOf alphabet =
     count = length upright
     upright = shapes alphabet
     turned = map halfTurned upright
-    -- The classes beside one another.
+    -- The classes side by side, filled up to a multiple of four.
     squares bitmaps =
       let byClass = V.concat (map drawn bitmaps)
           size = V.length byClass `quot` max 1 count
@@ -95,28 +96,28 @@ symbolsOf alphabet =
     sharesAround t = V.generate (2 * far + 1) (\d -> seenAt (fromIntegral (d - far) - t))
     squared t = if t * t > leastShare * leastShare then t * t else 0
 
-{- Note [Bounds of boxes] A taxel of the box is at most three taxels from those that are looked at
+{- Note [Bounds of boxes] A taxel of the box is at most three taxels from the taxels that are summed
    for it. -}
 
--- | How far the taxels lie that a taxel reads something of, and how much nearer the edge of a box
--- is to its symbol.
+-- | far: how many taxels away a taxel still reads something. within: how much nearer to its symbol
+-- the edge of a box is.
 far, within :: Int
 far = 3
 within = far - margin
 
--- | How far around a symbol its squares are summed, in taxels, and the box that this makes: beyond,
--- less than the least share is read of it.
+-- | margin: the taxels around a symbol over which its squares are summed; beyond, less than
+-- 'leastShare' is read. boxWide, boxHigh: the size of the box.
 margin, boxWide, boxHigh :: Int
 margin = 2
 boxWide = symbolWidth + 2 * margin
 boxHigh = symbolHeight + 2 * margin
 
--- | How much of a taxel the frame has at each place of a grid that begins the margin before the
--- first: of each row of places those at whole taxels, of all rows; then those a place further, and
--- so on. In each of these lines, where the frame begins and where it has ended.
+-- | The share of each taxel that lies on the frame, on a grid of places that begins 'margin' before
+-- the first. Its lines are all rows of places at whole taxels, then all rows one place further, and
+-- so on. The last two vectors have where the frame begins and ends in each line.
 data Cover = Cover !(Vector Double) !(Vector Int) !(Vector Int)
 
--- | What a frame covers.
+-- | The cover of a frame.
 coverOf :: Places -> Cover
 coverOf places =
   Cover
@@ -138,16 +139,17 @@ coverOf places =
     covered n t = max 0 (min 1 (min (t + 1) (fromIntegral n - t)))
     rows = [V.slice (wide * i) wide there | i <- [0 .. q * high - 1]]
 
--- | The length of a line of what a frame covers, in taxels, and how many there are.
+-- | coverWidth: the length of a cover's lines, taxels. coverHeight: the number of lines for each
+-- fraction of a taxel.
 coverWidth, coverHeight :: Places -> Int
 coverWidth places = fst (placesGrid places) `quot` placesFineness places + boxWide - 1
 coverHeight places = snd (placesGrid places) + (boxHigh - 1) * placesFineness places
 
--- | The sums over the frame of the squares of all classes' templates in a cell of an orientation,
--- a row and a column of places, written from an index on. Along the frame's axes they are those at
--- its pixels. Turned, they are those at whole taxels from the template's place, each counted for as
--- much of a taxel as the frame has there, which differs at the frame's edge only. Unchecked: there
--- must be that cell, and room.
+-- | Writes the sums over the frame of the squares of all classes' templates in one cell, from an
+-- index on. The arguments are the symbols, places, cover, target, index, orientation, row and
+-- column. Along the frame's axes the sums go over its pixels. At an angle they go over whole taxels
+-- from the template's place, weighted by the share of each on the frame; the weights matter at the
+-- frame's edge only. Unchecked: the cell must exist, and the target must have room.
 writeSquares ::
   Symbols -> Places -> Cover -> M.MVector s Double -> Int -> Int -> Int -> Int -> ST s ()
 writeSquares symbols places (Cover !there !begins !ends) !sums = at
@@ -158,7 +160,7 @@ writeSquares symbols places (Cover !there !begins !ends) !sums = at
     !q = placesFineness places
     !wide = coverWidth places
     !high = coverHeight places
-    -- Then each of the places within a taxel has a box by itself.
+    -- Upright, each fraction of a taxel has a box of its own.
     !upright = placesAngle places == 0
     !boxSize = boxWide * boxHigh * fours
     !halfTurnedAfter = boxSize * placesPerTaxel * placesPerTaxel
@@ -194,11 +196,11 @@ writeSquares symbols places (Cover !there !begins !ends) !sums = at
                       (t2 + share * V.unsafeIndex from 2)
                       (t3 + share * V.unsafeIndex from 3)
 
--- | Classes are summed four at a time: so many of which some may be none.
+-- | The number of classes, rounded up to a multiple of four, since four are summed at a time.
 inFours :: Int -> Int
 inFours count = 4 * ((count + 3) `quot` 4)
 
-{- Note [Bounds of squares] A place's column, in taxels, is below the grid's width and a step
-   reaches at most the box's width less one further, which the lines of what the frame covers hold;
-   likewise for rows. There are as many boxes as orientations and parts, each of as many numbers as
-   taxels and classes in fours. -}
+{- Note [Bounds of squares] A place's column, in taxels, is below the grid's width, and a step
+   reaches at most boxWide - 1 further; a line of the cover is that long. The same holds for rows.
+   There are as many boxes as orientations and fractions, each with a number for every taxel and
+   class, in fours. -}

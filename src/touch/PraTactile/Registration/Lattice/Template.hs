@@ -1,14 +1,14 @@
 {-# LANGUAGE BangPatterns #-}
 {-# OPTIONS_HADDOCK hide #-}
 
--- | The symbols of an alphabet as a sensor sees them, at every place on a frame: what a frame is
--- held against to find the lattice of cells under it.
+-- | The symbols of an alphabet as a sensor sees them, at every place on a frame. Frames are
+-- correlated with these templates to find the lattice of cells under them.
 --
 -- A symbol at (x, y), the place of the centre of its upper left taxel, makes a taxel at (u, v) read
--- the sum over its embossed taxels (i, j) of g (u - x - i) g (v - y - j), where g is the share of a
--- taxel's width that a normal blur brings there. Places lie on a grid of that many to the taxel.
--- The symbols' axes may be turned from the frame's: then places are turned with them, and the blur,
--- which is nearly the same in all directions, is not.
+-- the sum over its embossed taxels (i, j) of g (u - x - i) g (v - y - j). Here g is the share of a
+-- taxel's width that a normal blur brings there. Places lie on a grid. If the symbols' axes are
+-- turned from the frame's, places turn with them; the blur, nearly the same in all directions, does
+-- not.
 module PraTactile.Registration.Lattice.Template
   ( Templates (..),
     Outline,
@@ -42,37 +42,37 @@ import PraTactile.Registration.Loops (tabulate)
 import PraTactile.Registration.Numbers (placesPerTaxel)
 import PraTactile.Shape (Alphabet)
 
--- | An alphabet's symbols, upright and half turned, at all places of frames of one size, along axes
--- that are turned from the frames'. Each table is made when it is first looked at.
+-- | An alphabet's templates, upright and half turned, at all places of frames of one size, along
+-- axes that are turned from the frames'. Each table is computed on first use.
 data Templates = Templates
   { templatePlaces :: !Places,
     templateSymbols :: !Symbols,
-    -- | For each orientation and class, its shape.
+    -- | The shape of each orientation and class.
     templateOutlines :: !(Boxed.Vector Outline),
     -- | What the frame covers.
     templateCover :: Cover,
-    -- | 'areaSums' of a frame that is 1 everywhere.
+    -- | 'areaSums' of a frame of ones.
     templateAreas :: Vector Double,
-    -- | The sum of each template over the frame, indexed by 'cellIndex' and class.
+    -- | The sum of each template over the frame, by 'cellIndex' and class.
     templateSums :: Vector Double,
-    -- | The sum of its squares, likewise.
+    -- | The sum of each template's squares over the frame, by 'cellIndex' and class.
     templateSquares :: Vector Double,
     -- | All phases of the lattice.
     templatePhases :: Phases,
-    -- | The same at whole taxels only.
+    -- | The templates at whole taxels only; 'Nothing' if these are.
     templateCoarse :: Maybe Templates
   }
 
--- | The corners of a shape ('symbolsCorners') as steps from its place on the grid of the sums of
--- areas, and how often each counts.
+-- | The corners of a shape ('symbolsCorners'): their offsets in 'areaSums' from the shape's place,
+-- and their factors.
 data Outline = Outline !(Vector Int) !(Vector Double)
 
--- | The same at whole taxels, if these are finer.
+-- | The templates at whole taxels.
 coarser :: Templates -> Templates
 coarser fine = fromMaybe fine (templateCoarse fine)
 
--- | The tables for an alphabet whose axes are turned by so many degrees clockwise, and frames of
--- that width and height.
+-- | The templates of an alphabet at an angle (degrees clockwise), for frames of the given width and
+-- height.
 templates :: Alphabet -> Double -> Int -> Int -> Templates
 templates = templatesOf . symbolsOf
 
@@ -82,7 +82,7 @@ templatesOf symbols angle w h =
     { templateCoarse = Just (tabled symbols (placesAt angle w h 1))
     }
 
--- | The tables for those places alone.
+-- | The templates for the given places, without coarser ones.
 tabled :: Symbols -> Places -> Templates
 tabled symbols places = tables
   where
@@ -106,29 +106,29 @@ tabled symbols places = tables
         )
         (V.fromList [count | (_, _, count) <- corners])
 
--- | The tables of an alphabet at any angle and for frames of any size: those for upright frames of
--- the sensor's size are made once, when they are first looked at.
+-- | The templates of an alphabet for any angle and frame size. Those for upright frames of the
+-- sensor's size are computed once, on first use.
 data LatticeTables = LatticeTables Symbols Templates
 
--- | Those of an alphabet, to be kept by whoever puts frames together again and again.
+-- | Prepares an alphabet's tables. Callers who stitch repeatedly should keep them.
 latticeTables :: Alphabet -> LatticeTables
 latticeTables alphabet =
   LatticeTables symbols (templatesOf symbols 0 sensorSide sensorSide)
   where
     symbols = symbolsOf alphabet
 
--- | The tables for axes turned by so many degrees clockwise, and frames of that width and height.
+-- | The templates at an angle (degrees clockwise), for frames of the given width and height.
 tablesAt :: LatticeTables -> Double -> (Int, Int) -> Templates
 tablesAt (LatticeTables symbols usual) angle (w, h)
   | angle == 0 && w == sensorSide && h == sensorSide = usual
   | otherwise = templatesOf symbols angle w h
 
--- | The sum over the frame of its values times each template: by class, at each place, in each
--- orientation. The image has the size that the tables are for.
+-- | The correlation of an image with each template, by 'cellIndex' and class. The image has the
+-- size that the tables are for.
 correlations :: Templates -> Raster -> Vector Double
 correlations tables = correlationsOf tables . areaSums (templatePlaces tables)
 
--- | The same from the frame's 'areaSums'.
+-- | The correlations with each template, from the frame's 'areaSums'.
 correlationsOf :: Templates -> Vector Double -> Vector Double
 correlationsOf tables !areas = V.create $ do
   sums <- M.unsafeNew (2 * rows * columns * count)
@@ -143,7 +143,7 @@ correlationsOf tables !areas = V.create $ do
       row !shape !y !i
         | y >= rows = pure ()
         | otherwise = four shape y i 0 >> row shape (y + 1) (i + columns * count)
-      -- Four places at a time, the last of which may be among those before.
+      -- Four places at a time; the last four may overlap those before.
       four shape@(Outline steps counts) !y !i !x
         | x >= columns = pure ()
         | otherwise = do
@@ -177,10 +177,10 @@ correlationsOf tables !areas = V.create $ do
     !count = symbolsClasses (templateSymbols tables)
     !wide = areasWidth places
 
-{- Note [Bounds of outlines] A place's column is below the grid's width and a step reaches at most 8
-   taxels further, which the width of the sums of areas holds; likewise for rows, 12. There are
-   2 * count outlines, and one sum for each cell and class. A row has more than four places, as a
-   symbol is wider. -}
+{- Note [Bounds of outlines] A place's column is below the grid's width, and a step reaches at most
+   8 taxels further, which the width of 'areaSums' holds; for rows it is 12. There are 2 * count
+   outlines, and one sum for each cell and class. A row has more than four places, as a symbol is
+   wider. -}
 
 -- | The sum over the frame of the squares of each template of some cells, by 'cellIndex'.
 squaresOf :: Templates -> Vector Int -> Vector Double
@@ -198,15 +198,15 @@ squaresOf tables cells = V.create $ do
     places = templatePlaces tables
     count = symbolsClasses (templateSymbols tables)
 
--- | For some cells and all classes, in this order: the correlations of a frame, the sums of the
--- templates and those of their squares.
+-- | For some cells and all classes: the correlations with a frame, the sums of the templates, and
+-- the sums of their squares.
 data Moments = Moments
   { momentsProducts :: !(Vector Double),
     momentsSums :: !(Vector Double),
     momentsSquares :: !(Vector Double)
   }
 
--- | The numbers of a few cells, by 'cellIndex', from a frame's 'areaSums'.
+-- | The moments of a few cells, by 'cellIndex', from a frame's 'areaSums'.
 momentsAt :: Templates -> Vector Double -> Vector Int -> Moments
 momentsAt tables areas cells =
   Moments
@@ -214,13 +214,14 @@ momentsAt tables areas cells =
     (productsAt tables (templateAreas tables) cells)
     (squaresOf tables cells)
 
--- | The correlations alone.
+-- | The correlations of a few cells, by 'cellIndex', from a frame's 'areaSums'.
 productsAt :: Templates -> Vector Double -> Vector Int -> Vector Double
 productsAt tables areas cells =
   tabulate (symbolsClasses (templateSymbols tables)) (V.length cells) $ \c ->
     placeOf tables (V.unsafeIndex cells c) (outlinedAt tables areas)
 
--- | That of an orientation, a row and a column of places, and a class.
+-- | The correlation of one template, given 'areaSums', its orientation, row and column of places,
+-- and class.
 outlinedAt :: Templates -> Vector Double -> Int -> Int -> Int -> Int -> Double
 outlinedAt tables !areas !o !y !x !k = go 0 0
   where
@@ -237,7 +238,8 @@ outlinedAt tables !areas !o !y !x !k = go 0 0
           (c + 1)
           (s + V.unsafeIndex counts c * V.unsafeIndex areas (start + V.unsafeIndex steps c))
 
--- | What is made of the orientation, the row and the column of a cell that is given by 'cellIndex'.
+-- | Applies a function to the orientation, the row and the column of a cell that is given by
+-- 'cellIndex'.
 placeOf :: Templates -> Int -> (Int -> Int -> Int -> a) -> a
 placeOf tables cell made = made o y x
   where
@@ -246,8 +248,8 @@ placeOf tables cell made = made o y x
     (!o, !y) = row `quotRem` rows
 {-# INLINE placeOf #-}
 
--- | Where taxels count w each: the correlations are those of w z, the sums of the templates those
--- of w, which are given; and the sums of their squares as much less as these.
+-- | Moments by weight, given the templates' sums by weight. The correlations must be by weight
+-- already; the sums of squares shrink by the factor by which the sums do.
 weighed :: Vector Double -> Moments -> Moments
 weighed shares (Moments products sums squares) =
   Moments products shares (V.zipWith3 less shares sums squares)

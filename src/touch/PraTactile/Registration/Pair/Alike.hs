@@ -1,7 +1,7 @@
 {-# OPTIONS_HADDOCK hide #-}
 
--- | The places at which two frames agree exactly: where there are several, nothing tells which it
--- is.
+-- | The places at which two frames agree exactly. If there are several, the frames cannot decide
+-- between them.
 module PraTactile.Registration.Pair.Alike
   ( agreements,
     apart,
@@ -14,9 +14,9 @@ import PraTactile.Image (Raster, rasterValues)
 import PraTactile.Registration.Loops
 import PraTactile.Registration.Overlap (allOf, displacementsAround, patchesAt)
 
--- | The whole displacements within the search at which what both frames show is the same, but for
--- gain and offset, to the rounding of 8 bits. Those at which they have few taxels in common, or
--- show next to nothing there, do not count.
+-- | The whole displacements within the search at which both frames show the same, up to gain,
+-- offset, and the rounding of 8 bits. An overlap narrower than 3 taxels, or next to constant, does
+-- not count.
 agreements :: Taxels -> Double -> Raster -> Raster -> [Taxels]
 agreements step search a b =
   [ (fromIntegral x, fromIntegral y)

@@ -1,8 +1,8 @@
 {-# OPTIONS_HADDOCK hide #-}
 
--- | The posterior of the place of the second frame's upper left pixel in the first, by each method:
--- from the nominal place and from how far around it to search (taxels), which is two standard
--- deviations of the robot's error.
+-- | The posterior of the place of the second frame's upper left pixel in the first, by each method.
+-- Given are the nominal place and the search around it (taxels), which is two standard deviations
+-- of the robot's error.
 module PraTactile.Registration.Pair.Methods
   ( latticePosterior,
     blindPosterior,
@@ -23,7 +23,7 @@ import PraTactile.Registration.Numbers (independent, placesPerTaxel)
 import PraTactile.Registration.Overlap
 import PraTactile.Registration.Posterior
 
--- | By the lattice that lies under both frames.
+-- | The posterior by the lattice under both frames.
 latticePosterior :: Taxels -> Double -> Likelihood -> Likelihood -> Posterior
 latticePosterior step search a b =
   posterior (from nx, from ny) (inTaxels grid 1) (side, side) $
@@ -38,14 +38,14 @@ latticePosterior step search a b =
     ((nx, ny), _) = onGrid grid step
     from n = inTaxels grid (fromIntegral (n - reach))
 
--- | By what the overlap shows, whatever it is: of one relief or of two.
+-- | The posterior by the overlap, whatever it shows: of one relief or of two.
 blindPosterior :: Relief -> Taxels -> Double -> Posterior
 blindPosterior relief step search = overWhole step search $ \grid ->
   V.map (\l -> logSum [0, l]) (overlapLogs relief (0, 1) step grid)
 
--- | By the paper's zero-mean normalised cross-correlation ('logLikelihood'). Neighbouring pixels
--- resemble each other, so each counts for 'independent' values. An overlap counts no more than the
--- nominal one.
+-- | The posterior by the paper's zero-mean normalised cross-correlation ('logLikelihood'). Each
+-- pixel counts for 'independent' pairs of values, because neighbouring pixels resemble each other.
+-- An overlap counts no more than the nominal one.
 correlationPosterior :: Taxels -> Double -> Raster -> Raster -> Posterior
 correlationPosterior step search a b = overWhole step search $ \grid ->
   V.fromList
@@ -56,7 +56,7 @@ correlationPosterior step search a b = overWhole step search $ \grid ->
     correlated overlap =
       logLikelihood 0 overlap {overlapWeight = independent * min most (overlapWeight overlap)}
 
--- | The prior of the whole displacements, and what frames say of each.
+-- | The posterior over whole displacements, from their prior and the given log-likelihoods.
 overWhole :: Taxels -> Double -> (Displacements -> V.Vector Double) -> Posterior
 overWhole step search said =
   posterior (fromIntegral x0, fromIntegral y0) 1 size (V.zipWith (+) priors (said grid))

@@ -1,7 +1,7 @@
 {-# OPTIONS_HADDOCK hide #-}
 
--- | Relief that is the same along one direction, as a straight edge is: a displacement along it
--- cannot be told, and that some noise fits best somewhere tells nothing.
+-- | Relief that is constant along one direction, as a straight edge is. The frames do not determine
+-- a displacement along it: its best fit there only follows the noise.
 module PraTactile.Registration.Pair.Straight
   ( alongStraight,
     straightness,
@@ -16,9 +16,9 @@ import PraTactile.Image (Raster, rasterValues)
 import PraTactile.Registration.Overlap (patchesAt)
 import PraTactile.Registration.Posterior
 
--- | The posterior of a displacement, for a nominal one and a search around it in taxels, of which
--- along a direction in which the relief that both frames show does not change only the prior is
--- left; else the same. The grid is of whole taxels.
+-- | Replaces the posterior along a direction of constant relief by the prior, given the nominal
+-- displacement and the search around it in taxels. Without such a direction the posterior stays.
+-- The grid is of whole taxels.
 alongStraight :: Taxels -> Double -> (Raster, Raster) -> Posterior -> Posterior
 alongStraight step search (a, b) found = case straightness best a b of
   Just direction -> posterior origin 1 size (V.generate (columns * rows) (along direction))
@@ -29,7 +29,7 @@ alongStraight step search (a, b) found = case straightness best a b of
       let (row, column) = V.maxIndex masses `quotRem` columns
        in (round ox + column, round oy + row)
     priors = posteriorMasses (priorAlone search step found)
-    -- What all displacements along the line have together, shared out by the prior.
+    -- The probability of all displacements along the line, distributed by the prior.
     along (dx, dy) i =
       log (priors V.! i * sum (map (masses V.!) line) / sum (map (priors V.!) line))
       where
@@ -43,10 +43,10 @@ alongStraight step search (a, b) found = case straightness best a b of
               x >= 0 && x < columns && y >= 0 && y < rows
           ]
 
--- | The unit vector along which the relief that both frames show does not change, if there is one,
--- where the second's upper left pixel lies at that place in the first: the products of the two
--- frames' slopes are, along it, no more than noise would make them, and across it they are. Noise
--- is independent in both, so that it adds nothing to the products in the mean.
+-- | The unit vector along which the relief in both frames is constant, if there is one. The
+-- displacement is the place of the second's upper left pixel in the first. Along the vector the
+-- products of the two frames' slopes stay within noise; across it they exceed noise. Noise is
+-- independent in both frames, so that it adds nothing to the products in the mean.
 straightness :: (Int, Int) -> Raster -> Raster -> Maybe Taxels
 straightness (x, y) a b = do
   ((w, h), pa, pb) <- patchesAt a b (x, y)
@@ -70,7 +70,7 @@ data Products = Products !Double !Double !Double
 plus :: Products -> Products -> Products
 plus (Products a b c) (Products d e f) = Products (a + d) (b + e) (c + f)
 
--- | The products at a pixel of two patches of that width, which is not at their edge.
+-- | The products at an inner pixel, given by index, of two patches of the given width.
 between :: Int -> V.Vector Double -> V.Vector Double -> Int -> Products
 between w a b i = Products (ax * bx) ((ax * by + ay * bx) / 2) (ay * by)
   where
@@ -81,12 +81,12 @@ between w a b i = Products (ax * bx) ((ax * by + ay * bx) / 2) (ay * by)
         column d = v V.! (i + d - w) + 2 * v V.! (i + d) + v V.! (i + d + w)
         row d = v V.! (i + d - 1) + 2 * v V.! (i + d) + v V.! (i + d + 1)
 
--- | The variance of a slope by white noise of variance 1: the sum of the squared weights.
+-- | The variance of a slope under white noise of variance 1: the sum of the squared weights.
 slopeVariance :: Double
 slopeVariance = 12 / 64
 
--- | The sum of the squares of the correlations of a slope with all others, by white noise: that of
--- the smoothing's 1, 2/3 and 1/6 times that of the difference's 1 and -1/2.
+-- | The sum of the squared correlations of a slope with all others, under white noise. The
+-- smoothing has correlations 1, 2/3 and 1/6, the difference 1 and -1/2.
 alikeness :: Double
 alikeness = (1 + 2 * (4 / 9 + 1 / 36)) * (1 + 2 / 4)
 
@@ -96,5 +96,5 @@ axesOf (Products xx xy yy) = (middle - radius, middle + radius, (negate (sin ang
   where
     middle = (xx + yy) / 2
     radius = sqrt ((xx - yy) * (xx - yy) / 4 + xy * xy)
-    -- That of the most.
+    -- The angle of the most.
     angle = atan2 (2 * xy) (xx - yy) / 2

@@ -3,7 +3,7 @@
 -- | The paper's two objects: a cube of 127 mm (5 in) and a parallelepiped of 177.8 x 101.6 x 95.25
 -- mm (7 x 4 x 3 3/4 in) (section IV). Figure 6, which numbers their vertices, is lost; the
 -- numbering is the canonical profile's.
-module PraTactile.Object.Solid
+module PraTactile.Object.PaperObjects
   ( cube,
     cubeDescription,
     parallelepiped,

@@ -1,14 +1,14 @@
 {-# OPTIONS_HADDOCK hide #-}
 
--- | The alternative layouts of frames, with their likelihood ratios to the layout that is used:
--- other axes, other scales, slips by a cell, frames that lie anywhere, or one frame elsewhere.
-module PraTactile.Registration.Others
-  ( othersOnLattice,
-    othersByPairs,
+-- | Alternative layouts of frames, with their likelihood ratios to the layout in use: other axes,
+-- other scales, slips by a cell, frames that lie anywhere, or one frame elsewhere.
+module PraTactile.Registration.AlternativeLayouts
+  ( alternativesOnLattice,
+    alternativesByPairs,
   )
 where
 
-import PraTactile.Composite (Fault (..), Otherwise (..))
+import PraTactile.Composite (AlternativeLayout (..), LayoutCause (..))
 import PraTactile.Composite.Blend (Taxels, minus, plus)
 import PraTactile.Composite.Noise (spacedOut)
 import PraTactile.Image (Raster)
@@ -29,19 +29,23 @@ import PraTactile.Registration.Overlap (Relief)
 import PraTactile.Registration.Scale (likelyScales)
 import PraTactile.Registration.Settings (Registration)
 
--- | The alternative layouts that frames on a lattice do not refute, given where the places of the
--- frames count from in the robot's coordinates, and how the frames were found.
-othersOnLattice ::
-  Registration -> Fits -> Taxels -> [(Taxels, Touched)] -> Joint -> [Otherwise]
-othersOnLattice settings fits robot touched found =
-  [Otherwise OneFrame 1 odds (Just lattice) | (odds, lattice) <- oneElsewhere found]
-    ++ [ Otherwise (layoutFault layout) (layoutShare layout) (exp (min mostLog likelier)) lattice
+-- | Alternative layouts that frames on a lattice do not refute. Given are the fits, the origin of
+-- the frames' places in the robot's coordinates, the frames, and their registration.
+alternativesOnLattice ::
+  Registration -> Fits -> Taxels -> [(Taxels, Touched)] -> Joint -> [AlternativeLayout]
+alternativesOnLattice settings fits robot touched found =
+  [AlternativeLayout OneFrame 1 odds (Just lattice) | (odds, lattice) <- oneElsewhere found]
+    ++ [ AlternativeLayout
+           (layoutCause layout)
+           (layoutShare layout)
+           (exp (min mostLog likelier))
+           lattice
          | layout <- layouts scales (tiedGroups found) (map (plus robot . fst) touched),
            let (likelier, lattice) = weighed layout,
            likelier > refuted
        ]
   where
-    weighed layout = case layoutFault layout of
+    weighed layout = case layoutCause layout of
       Anywhere -> (jointAnywhere here - jointEvidence here, Nothing)
       Slip -> Just <$> slipped found (layoutSteps layout)
       _ -> laid (lyingAt (map (`minus` robot) (layoutPlaces layout)))
@@ -52,36 +56,39 @@ othersOnLattice settings fits robot touched found =
           Just (jointLattice (if few then there else registered lying))
         )
       where
-        byPhase = jointGlimpse there - jointGlimpse here
+        byPhase = jointQuickLog there - jointQuickLog here
         there = registered (spacedOut framesOfLayout lying)
     scales
       | maybe False (> largeError) (jointSigma found) =
-        likelyScales (jointGlimpse . registered . spacedOut scaleFrames . lyingAt) (map fst touched)
+        likelyScales
+          (jointQuickLog . registered . spacedOut scaleFrames . lyingAt)
+          (map fst touched)
       | otherwise = []
     registered lying =
       registerJointly settings fits {fitsFrames = map snd lying} (map fst lying)
     lyingAt places = zip (zip places (map snd touched)) (fitsFrames fits)
-    -- By some of the frames, where there are very many.
+    -- Of very many frames, some stand for all.
     few = length touched <= framesOfLayout
     here = if few then found else registered (spacedOut framesOfLayout (lyingAt (map fst touched)))
 
--- | The alternative layouts that the overlaps of frames do not refute. Where there is no lattice it
--- is not known what the frames then show.
-othersByPairs :: Registration -> Relief -> Taxels -> [(Taxels, Raster)] -> [Otherwise]
-othersByPairs settings relief robot frames =
-  [ Otherwise (layoutFault layout) (layoutShare layout) (exp likelier) Nothing
+-- | Alternative layouts that the overlaps of frames do not refute. Without a lattice, what the
+-- frames would show there is unknown.
+alternativesByPairs :: Registration -> Relief -> Taxels -> [(Taxels, Raster)] -> [AlternativeLayout]
+alternativesByPairs settings relief robot frames =
+  [ AlternativeLayout (layoutCause layout) (layoutShare layout) (exp likelier) Nothing
     | layout <- layouts [] (map (const 0) frames) (map (plus robot . fst) frames),
-      layoutFault layout /= Slip,
-      let likelier = min (most (layoutFault layout)) (evidence layout - asTold),
+      layoutCause layout /= Slip,
+      let likelier = min (most (layoutCause layout)) (evidence layout - asTold),
       likelier > refuted
   ]
   where
-    -- A scale changes how many frames overlap, and smooth relief agrees with any other.
-    most fault = case fault of
+    -- A scale changes which frames overlap, and smooth relief fits any other, so overlaps cannot
+    -- favour one.
+    most cause = case cause of
       OtherScale _ _ -> 0
       _ -> mostLog
     asTold = told (map fst frames)
     evidence layout
-      | layoutFault layout == Anywhere = 0
+      | layoutCause layout == Anywhere = 0
       | otherwise = told (map (`minus` robot) (layoutPlaces layout))
     told = pairsEvidence settings relief . (`zip` map snd frames)

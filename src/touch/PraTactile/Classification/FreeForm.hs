@@ -1,8 +1,8 @@
 {-# OPTIONS_HADDOCK hide #-}
 
 -- | How well the best free-form drawing, in any alphabet or none, fits an image.
-module PraTactile.Classification.Unlike
-  ( freeLikeness,
+module PraTactile.Classification.FreeForm
+  ( freeFormCorrelation,
   )
 where
 
@@ -20,8 +20,8 @@ import PraTactile.Image
 -- means from the overall mean, and z those of the taxels. The correlation is
 --
 -- > sum of d over the k highest / root (sum of z^2 / m * k (n - k) / n)
-freeLikeness :: Raster -> Double
-freeLikeness image
+freeFormCorrelation :: Raster -> Double
+freeFormCorrelation image
   | rasterSize image /= (8, 12) || spread <= 0 = 0
   | otherwise =
     maximum

@@ -1,10 +1,10 @@
 -- | The angle of what a composite shows, and the composite set upright, against their definitions.
-module Test.Touch.Composite.TiltByDefinition (spec) where
+module Test.Touch.Composite.SkewByDefinition (spec) where
 
 import qualified Data.Map.Strict as Map
 import Data.Maybe (fromMaybe)
 import PraTactile.Composite
-import PraTactile.Composite.Tilt
+import PraTactile.Composite.Skew
 import PraTactile.Image
 import PraTactile.Sensor.Manifest (standardTaking)
 import Test.Effort (withCases)
@@ -14,7 +14,7 @@ import Test.Touch.Image.RastersAndCorrelation (genRasterOf)
 
 spec :: Spec
 spec = withCases 7 60 $ do
-  tiltSpec
+  skewSpec
   uprightSpec
 
 -- | Any image, of which some pixels were hardly touched, anywhere.
@@ -32,10 +32,10 @@ genComposite sides = do
         compositeOrigin = origin,
         compositeDisplacements = [(0, 0)],
         compositePositionError = Nothing,
-        compositeUncompared = 0,
+        compositeUnregisteredError = 0,
         compositeAxesStated = False,
         compositeTaking = standardTaking,
-        compositeOthers = [],
+        compositeAlternatives = [],
         compositeContradiction = Nothing,
         compositeAgreeing = Nothing,
         compositeFrames = [],
@@ -45,19 +45,19 @@ genComposite sides = do
 at :: Raster -> Int -> Int -> Double
 at image x y = fromMaybe 0 (index image x y)
 
-tiltSpec :: Spec
-tiltSpec =
+skewSpec :: Spec
+skewSpec =
   it "the angle is where sums of Scharr's gradient along lines have the most squares, as defined" $
     forAllBlind (choose (1, 2) >>= (`vectorOf` genComposite (3, 9))) $ \composites ->
       let angle = defined composites
           slopes = concatMap gradients composites
-          (found, wanted) = (fromMaybe 0 (tilt composites), fromMaybe 0 angle)
+          (found, wanted) = (fromMaybe 0 (skew composites), fromMaybe 0 angle)
           -- To rounding, which may fold what lies at the end of the range.
           close = abs (found - wanted) < 1e-6 || min (abs (found - 45)) (abs (found + 45)) < 1e-6
-       in counterexample (show (tilt composites, angle)) $
+       in counterexample (show (skew composites, angle)) $
             label (maybe "none" (const "some") angle) $
               if null slopes
-                then tilt composites === Nothing
+                then skew composites === Nothing
                 else property close
 
 -- | The best of angles a degree and a half apart, then of those half a degree apart up to a degree

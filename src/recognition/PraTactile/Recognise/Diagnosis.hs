@@ -2,9 +2,9 @@
 
 -- | What composites show in which no symbol was recognised: nothing, inverted intensities, or
 -- symbols of another size. Each hypothesis is tried by reading the composites accordingly.
-module PraTactile.Recognise.Instead
-  ( Instead (..),
-    seenInstead,
+module PraTactile.Recognise.Diagnosis
+  ( Diagnosis (..),
+    diagnose,
   )
 where
 
@@ -15,7 +15,7 @@ import PraTactile.Sensor.Manifest (Taking (..))
 import PraTactile.Sensor.Resample (resampled)
 
 -- | What composites show instead of symbols.
-data Instead
+data Diagnosis
   = -- | every pixel has one reading
     InsteadFlat
   | -- | symbols, if the intensities are inverted: no contact is full scale and full contact 0
@@ -29,8 +29,8 @@ data Instead
 
 -- | Finds what composites show instead of symbols. The first argument says whether symbols are
 -- recognised in composites. Scale factors from 1/3 to 3 are tried.
-seenInstead :: Monad m => ([Composite] -> m Bool) -> [Composite] -> m Instead
-seenInstead readable composites
+diagnose :: Monad m => ([Composite] -> m Bool) -> [Composite] -> m Diagnosis
+diagnose readable composites
   | all flat composites = pure InsteadFlat
   | otherwise = firstOf ((InsteadInverted, map inverted composites) : scaled)
   where

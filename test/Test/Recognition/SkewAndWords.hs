@@ -1,6 +1,6 @@
--- | What is done with symbols on a grid, each step against its definition: the tilt of the grid,
+-- | What is done with symbols on a grid, each step against its definition: the skew of the grid,
 -- what is done to recognitions, and the words for them.
-module Test.Recognition.TiltAndWords (spec) where
+module Test.Recognition.SkewAndWords (spec) where
 
 import Data.Foldable (for_)
 import qualified Data.Map.Strict as Map
@@ -22,7 +22,7 @@ import Test.Recognition.Symbols
 
 spec :: Spec
 spec = do
-  describe "The tilt of a grid" tiltSpec
+  describe "The skew of a grid" skewSpec
   describe "Recognitions" recognitionSpec
   describe "In words" wordSpec
 
@@ -32,8 +32,8 @@ elements = QuickCheck.elements
 near :: Double -> Double -> Property
 near a b = counterexample (show (a, b)) (abs (a - b) <= 1e-9 * (1 + abs b))
 
-tiltSpec :: Spec
-tiltSpec =
+skewSpec :: Spec
+skewSpec =
   it "is the mean over both errors that an image may have, weighed by what the symbols say" $
     forAll (elements [Nothing, Just (), Just ()]) $ \given ->
       forAll ((,) <$> choose (-20, 20) <*> elements [0, 2, -5]) $ \(angle, off) ->
@@ -53,7 +53,7 @@ tiltSpec =
                   | ((i, j), here) <- Map.toList (gridCells grid),
                     s <- here
                 ]
-           in near (gridTilt shown grid) (defined shown told)
+           in near (gridSkew shown grid) (defined shown told)
   where
     genSymbol =
       (,)
@@ -85,7 +85,7 @@ tiltSpec =
 recognitionSpec :: Spec
 recognitionSpec = do
   prop "set upright by an angle are as the composites were given, each by its own places" $
-    forAll ((,) <$> choose (-45, 45) <*> choose (-3, 3)) $ \(angle, tilt') ->
+    forAll ((,) <$> choose (-45, 45) <*> choose (-3, 3)) $ \(angle, skew') ->
       forAll (vectorOf 4 ((,) <$> choose (0, 30) <*> choose (0, 30))) $ \places ->
         let back k (x, y) = (2 * y + k, x - 3 * k) :: (Double, Double)
             symbols =
@@ -99,7 +99,7 @@ recognitionSpec = do
             windows = [windowAt (Position 0 n) place | (n, place) <- zip [0 ..] places]
             found = Finding (turned 2) (windowAt (Position 9 9) (4, 5)) windows Map.empty
             given =
-              Recognition whole parts Map.empty (0, 0) Nothing Nothing tilt' (Right (Found found))
+              Recognition whole parts Map.empty (0, 0) Nothing Nothing skew' (Right (Found found))
             -- Of the third composite on nothing is known.
             moved = relocated angle [back 0, back 1, back 2] given
             placed n = if n < 3 then back (fromIntegral n) else id
@@ -116,8 +116,8 @@ recognitionSpec = do
          in recognisedSymbols moved === map wanted whole
               .&&. recognisedParts moved
               === map wanted parts
-              .&&. recognisedTilt moved
-              === angle + tilt'
+              .&&. recognisedSkew moved
+              === angle + skew'
               .&&. recognisedAnswer moved
               === Right
                 ( Found
@@ -128,23 +128,23 @@ recognitionSpec = do
                 )
               .&&. recognisedAnswer (relocated angle [back 0] given {recognisedAnswer = several})
               === several
-  it "have the tilt in their symbols' axes where that is wanted" $ do
+  it "have the skew in their symbols' axes where that is wanted" $ do
     let axis n s = s {readImage = (readImage s) {symbolAxis = n}}
         one = symbolOf 0 (0, 0) (identity, 0)
         given =
           (unanswered [axis 90 one, axis 1 one] NoSymbols)
             { recognisedParts = [axis (-3) one],
-              recognisedTilt = 2.5
+              recognisedSkew = 2.5
             }
-    axesTilted given
+    axesSkewed given
       `shouldBe` given
         { recognisedSymbols = [axis 92.5 one, axis 3.5 one],
           recognisedParts = [axis (-0.5) one]
         }
-  it "turn the face by the orientation and the tilt, from 0 up to 360 degrees" $
-    for_ [-90, -45, -10, -0.25, 0, 0.25, 44, 90, 100] $ \tilt' -> for_ [0 .. 3] $ \quarters -> do
-      let whole = 90 * fromIntegral quarters + tilt'
-          recognition = (unanswered [] NoSymbols) {recognisedTilt = tilt'}
+  it "turn the face by the orientation and the skew, from 0 up to 360 degrees" $
+    for_ [-90, -45, -10, -0.25, 0, 0.25, 44, 90, 100] $ \skew' -> for_ [0 .. 3] $ \quarters -> do
+      let whole = 90 * fromIntegral quarters + skew'
+          recognition = (unanswered [] NoSymbols) {recognisedSkew = skew'}
       recognisedAngle recognition (turned quarters)
         `shouldBe` head' [a | a <- [whole, whole + 360, whole - 360], a >= 0, a < 360]
   prop "are refused where frames elsewhere leave more doubt than is tolerated, and not if less" $
@@ -169,7 +169,7 @@ recognitionSpec = do
             asked tolerated =
               doubting
                 (standardTolerance {toleratedDoubt = tolerated})
-                (Misplaced stitching axes slip Nothing)
+                (LayoutDoubts stitching axes slip Nothing)
             close a b = abs (a - b) < 1e-12
             doubt = maybe 0 supportDoubt (recognisedSupport (asked 1 given))
          in if sum elsewhere == 0
@@ -191,7 +191,7 @@ recognitionSpec = do
     abs (of' [0.1, 0.02] - negate (log 0.002)) `shouldSatisfy` (< 1e-9)
     abs (of' [0] - 300 * log 10) `shouldSatisfy` (< 1e-9)
     of' [] `shouldBe` 0
-  it "that lead to nothing have their symbols, the refusal, and no tilt" $ do
+  it "that lead to nothing have their symbols, the refusal, and no skew" $ do
     let symbols = [symbolOf n (1, 2) (identity, n) | n <- [0, 1]]
     unanswered symbols (Mirrored [])
       `shouldBe` Recognition symbols [] Map.empty (0, 0) Nothing Nothing 0 (Left (Mirrored []))
@@ -206,12 +206,12 @@ recognitionSpec = do
 
 wordSpec :: Spec
 wordSpec = do
-  it "a tilt is said where it is more than three degrees" $
-    for_ [0, 2.999, 3, 3.001, -3, -3.001, 30] $ \tilt' -> do
-      let recognition = (unanswered [] NoSymbols) {recognisedTilt = tilt'}
-          said = abs tilt' > 3
-      leastTilt `shouldBe` 3
-      shownTilt recognition `shouldBe` (if said then tilt' else 0)
+  it "a skew is said where it is more than three degrees" $
+    for_ [0, 2.999, 3, 3.001, -3, -3.001, 30] $ \skew' -> do
+      let recognition = (unanswered [] NoSymbols) {recognisedSkew = skew'}
+          said = abs skew' > 3
+      leastSkew `shouldBe` 3
+      shownSkew recognition `shouldBe` (if said then skew' else 0)
       (lieText recognition (turned 1) == "turned by 90 degrees") `shouldBe` not said
   it "orientations, positions and doubts" $ do
     map orientationText (concat [[turned k, turned k <> mirror] | k <- [0 .. 3]])

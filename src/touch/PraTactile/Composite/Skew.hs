@@ -7,10 +7,10 @@
 -- the sums of the image along lines parallel to the sides change most abruptly from line to line.
 -- Along any other direction they change more gradually. Text lines of a scanned page are
 -- straightened in this way.
-module PraTactile.Composite.Tilt
-  ( tilt,
-    tilts,
-    leastTilt,
+module PraTactile.Composite.Skew
+  ( skew,
+    skews,
+    leastSkew,
     sharpness,
     setUpright,
   )
@@ -36,12 +36,12 @@ import PraTactile.Sensor.Frame (Motion (..), movePoint, taxelPitch)
 --
 -- In simulated presses of 40 x 52 taxels, with position errors of one taxel and noise of 0.1 of
 -- full scale, the median error is 0.3 degrees, and one in a hundred is off by 1.5.
-tilt :: [Composite] -> Maybe Double
-tilt = listToMaybe . tilts
+skew :: [Composite] -> Maybe Double
+skew = listToMaybe . skews
 
--- | 'tilt', followed by the other local maxima of 'sharpness' over the angle, greatest first.
-tilts :: [Composite] -> [Double]
-tilts composites
+-- | 'skew', followed by the other local maxima of 'sharpness' over the angle, greatest first.
+skews :: [Composite] -> [Double]
+skews composites
   | and [V.all (== 0) slopes | (_, across, down) <- found, slopes <- [across, down]] = []
   | otherwise = map (quarter . vertex . finest . snd) (sortOn Down peaks)
   where
@@ -68,8 +68,8 @@ tilts composites
 
 -- | Symbols at an angle of at most this, in degrees, are read without rotating the image. They are
 -- read as well as upright ones, and the estimate of so small an angle is less certain.
-leastTilt :: Double
-leastTilt = 3
+leastSkew :: Double
+leastSkew = 3
 
 -- | An angle reduced to [-45, 45) by quarter turns.
 quarter :: Double -> Double

@@ -8,10 +8,10 @@
 -- of a candidate are multiplied by
 --
 -- > prior * product over silent cells of s(b) / b(a)
-module PraTactile.Locate.Beforehand
-  ( Beforehand (..),
-    nothingBeforehand,
-    beforehandWeight,
+module PraTactile.Locate.Prior
+  ( CandidatePrior (..),
+    uniformPrior,
+    priorWeight,
     reweighed,
     weighable,
   )
@@ -28,29 +28,29 @@ import PraTactile.Locate.Patch
 import PraTactile.Position
 
 -- | The prior of a candidate, and the cells that are silent if it is right.
-data Beforehand = Beforehand
+data CandidatePrior = CandidatePrior
   { -- | the log prior, at most 0
-    beforehandPrior :: !Double,
+    candidateLogPrior :: !Double,
     -- | the offsets, as seen, of the silent cells
-    beforehandSilent :: [Position]
+    candidateSilent :: [Position]
   }
   deriving stock (Eq, Show)
 
 -- | A uniform prior, and no silent cell.
-nothingBeforehand :: Beforehand
-nothingBeforehand = Beforehand 0 []
+uniformPrior :: CandidatePrior
+uniformPrior = CandidatePrior 0 []
 
 -- | The logarithm of the factor by which prior and silent cells change a candidate's probability.
 -- Arguments: the array's symbol in each cell if the candidate is right; the patch as seen; the
 -- candidate; its prior and silent cells.
-beforehandWeight ::
-  (Position -> Maybe (GF k)) -> Patch (Belief k) -> Candidate -> Beforehand -> Double
-beforehandWeight symbolIn seen candidate known =
-  beforehandPrior known
+priorWeight ::
+  (Position -> Maybe (GF k)) -> Patch (Belief k) -> Candidate -> CandidatePrior -> Double
+priorWeight symbolIn seen candidate known =
+  candidateLogPrior known
     + sum
       [ log (silentChance b / probabilitiesIn (candidateSymmetry candidate) b Primitive.! toCode a)
         | (offset, b) <- observedCells seen,
-          offset `elem` beforehandSilent known,
+          offset `elem` candidateSilent known,
           Just a <- [symbolIn offset]
       ]
 

@@ -3,11 +3,11 @@
 
 -- | Reads composites of one face before the array is asked: symbols, and parts of symbols beside
 -- them, on one grid.
-module PraTactile.Recognise.Sight
-  ( Sight (..),
+module PraTactile.Recognise.FaceReading
+  ( FaceReading (..),
     Reading (..),
-    Look (..),
-    sight,
+    GridReading (..),
+    readFace,
     bySegmentation,
   )
 where
@@ -18,26 +18,26 @@ import Data.Maybe (isJust, isNothing)
 import PraTactile.Classification.Network (NetworkError)
 import PraTactile.Classification.Reader (Reader)
 import PraTactile.Composite.Lattice (Lattice)
-import PraTactile.Composite.Tilt (leastTilt, setUpright, tilt)
+import PraTactile.Composite.Skew (leastSkew, setUpright, skew)
 import PraTactile.Recognise.FaceGrid
 import PraTactile.Recognise.LatticeReading
 import PraTactile.Recognise.Parts
 import PraTactile.Recognise.Reading
 import PraTactile.Recognise.Recognition
 import PraTactile.Registration (Composite (..))
-import PraTactile.Segmentation (Cleaned (..), Reject, Segmentation (..), cleaned)
+import PraTactile.Segmentation (ForeignMasked (..), Reject, Segmentation (..), maskForeign)
 import PraTactile.Sensor.Manifest (Remedy (..), remedies, straight)
 import PraTactile.Symmetry
 
 -- | The reading of composites of one face.
-data Sight = Sight
+data FaceReading = FaceReading
   { -- | regions of the composites that are not symbols
-    sightForeign :: [Reject],
+    faceForeign :: [Reject],
     -- | the reading of the composites as given
-    sightAsGiven :: Reading,
-    -- | if the symbols are not nearly upright by their 'tilt': that angle, the maps from places of
+    faceAsGiven :: Reading,
+    -- | if the symbols are not nearly upright by their 'skew': that angle, the maps from places of
     -- the upright composites to the given ones, and the reading of the upright composites
-    sightUpright :: Maybe (Double, [(Double, Double) -> (Double, Double)], Reading)
+    faceUpright :: Maybe (Double, [(Double, Double) -> (Double, Double)], Reading)
   }
 
 -- | Composites read along the axis of most symbols.
@@ -45,51 +45,53 @@ data Reading = Reading
   { -- | regions that are not complete symbols, in the composites' pixels
     readingRejects :: [Reject],
     -- | the symbols, or a recognition with the reason why they cannot be located
-    readingLook :: Either Recognition Look
+    readingOnGrid :: Either Recognition GridReading
   }
 
 -- | Symbols and parts on one grid.
-data Look = Look
-  { lookSymbols :: [ReadSymbol],
+data GridReading = GridReading
+  { gridReadingSymbols :: [ReadSymbol],
     -- | symbols along the other axis that the network knows nevertheless
-    lookDissenters :: [ReadSymbol],
-    lookParts :: [ReadSymbol],
+    gridReadingDissenters :: [ReadSymbol],
+    gridReadingParts :: [ReadSymbol],
     -- | the grid, including the parts
-    lookGrid :: FaceGrid,
-    lookTilt :: Double
+    gridReadingCells :: FaceGrid,
+    gridReadingSkew :: Double
   }
 
 -- | Reads the symbols of composites of one face. If registration found lattices under all of them,
 -- their cells are read; else the symbols are found by segmentation, as in the paper. Refuses only
 -- what the network refuses.
-sight :: Reader -> [Composite] -> Either NetworkError Sight
-sight reader given = case traverse compositeLattice given of
+readFace :: Reader -> [Composite] -> Either NetworkError FaceReading
+readFace reader given = case traverse compositeLattice given of
   Just lattices@(_ : _) -> inLattices reader (zip given lattices)
   _ -> bySegmentation reader given
 
 -- | Reads composites by segmentation.
-bySegmentation :: Reader -> [Composite] -> Either NetworkError Sight
-bySegmentation reader given = case tilt (map cleanedComposite composites) of
+bySegmentation :: Reader -> [Composite] -> Either NetworkError FaceReading
+bySegmentation reader given = case skew (map maskedComposite composites) of
   Just angle
-    | abs angle > leastTilt -> do
-      asGiven <- lookUpright reader Nothing composites
-      let (upright, places) = unzip (map (cleanedUpright angle) composites)
-      turnedBack <- lookUpright reader (Just 0) upright
-      pure (Sight foreignThings asGiven (Just (angle, places, turnedBack)))
-  shown -> (\asGiven -> Sight foreignThings asGiven Nothing) <$> lookUpright reader shown composites
+    | abs angle > leastSkew -> do
+      asGiven <- readUpright reader Nothing composites
+      let (upright, places) = unzip (map (maskedUpright angle) composites)
+      turnedBack <- readUpright reader (Just 0) upright
+      pure (FaceReading foreignThings asGiven (Just (angle, places, turnedBack)))
+  shown ->
+    (\asGiven -> FaceReading foreignThings asGiven Nothing)
+      <$> readUpright reader shown composites
   where
-    composites = map cleaned given
-    foreignThings = concatMap cleanedRejects composites
+    composites = map maskForeign given
+    foreignThings = concatMap maskedRejects composites
 
 -- | 'setUpright' for a composite whose foreign regions are masked.
-cleanedUpright :: Double -> Cleaned -> (Cleaned, (Double, Double) -> (Double, Double))
-cleanedUpright angle (Cleaned composite forParts foreignThings) =
-  (Cleaned upright (fst . setUpright angle <$> forParts) foreignThings, back)
+maskedUpright :: Double -> ForeignMasked -> (ForeignMasked, (Double, Double) -> (Double, Double))
+maskedUpright angle (ForeignMasked composite byHeight foreignThings) =
+  (ForeignMasked upright (fst . setUpright angle <$> byHeight) foreignThings, back)
   where
     (upright, back) = setUpright angle composite
 
 -- | Reads composites in the cells of their lattices.
-inLattices :: Reader -> [(Composite, Lattice)] -> Either NetworkError Sight
+inLattices :: Reader -> [(Composite, Lattice)] -> Either NetworkError FaceReading
 inLattices reader given = do
   found <-
     sequence
@@ -99,37 +101,38 @@ inLattices reader given = do
   let numberedCells = numberCells found
       (own, others) = partition ((== axis) . cellsAxis) numberedCells
       symbols = concatMap wholeIn numberedCells
-      look =
+      onGrid =
         case faceGrid (map (cellsGroup angle) own) of
           Just grid ->
             Right
-              Look
-                { lookSymbols = symbols,
-                  lookDissenters = known (concatMap wholeIn others),
-                  lookParts = concatMap (filter ((< 1) . readSeen) . Map.elems . cellsSymbols) own,
-                  lookGrid = grid,
-                  lookTilt = tilted
+              GridReading
+                { gridReadingSymbols = symbols,
+                  gridReadingDissenters = known (concatMap wholeIn others),
+                  gridReadingParts =
+                    concatMap (filter ((< 1) . readSeen) . Map.elems . cellsSymbols) own,
+                  gridReadingCells = grid,
+                  gridReadingSkew = skewed
                 }
           Nothing -> Left (unanswered symbols GridContradicts)
   isMirrored <- if null (known symbols) then cellsMirrored reader symbols else pure False
-  pure . (\shown -> Sight foreignThings (Reading [] shown) Nothing) $
+  pure . (\shown -> FaceReading foreignThings (Reading [] shown) Nothing) $
     if
         | isMirrored -> Left (unanswered symbols (Mirrored (unmirroring composites)))
         | null symbols -> Left (unanswered symbols NoSymbols)
         | null (known symbols) -> Left (unanswered symbols SymbolsUnclear)
-        | otherwise -> look
+        | otherwise -> onGrid
   where
-    composites = map (cleaned . fst) given
-    foreignThings = concatMap cleanedRejects composites
-    (axis, tilted) = axisOfAll (map snd given)
-    angle = degreesClockwise axis + tilted
+    composites = map (maskForeign . fst) given
+    foreignThings = concatMap maskedRejects composites
+    (axis, skewed) = axisOfAll (map snd given)
+    angle = degreesClockwise axis + skewed
     known = filter (isJust . readClass)
     wholeIn = filter ((>= 1) . readSeen) . Map.elems . cellsSymbols
 
 -- | Reads composites whose symbols' axes are nearly the composites' own. The angle between them, in
 -- degrees clockwise, is given if the images show it.
-lookUpright :: Reader -> Maybe Double -> [Cleaned] -> Either NetworkError Reading
-lookUpright reader angle composites = do
+readUpright :: Reader -> Maybe Double -> [ForeignMasked] -> Either NetworkError Reading
+readUpright reader angle composites = do
   upright <- readSymbols reader identity 0 composites
   -- If the upright symbols are known there are no others; a flat composite has none.
   let flat = all ((<= 0) . segmentedContrast . viewSegmentation) upright
@@ -153,23 +156,23 @@ lookUpright reader angle composites = do
 
 -- | Puts the symbols along one axis, and parts beside them, on one grid. The last argument is the
 -- known symbols along the other axis.
-onOneGrid :: Reader -> Maybe Double -> [View] -> [ReadSymbol] -> Either Recognition Look
+onOneGrid :: Reader -> Maybe Double -> [View] -> [ReadSymbol] -> Either Recognition GridReading
 onOneGrid reader angle views dissenters
   | null symbols = Left (unanswered everything NoSymbols)
   | all (isNothing . readClass) symbols = Left (unanswered everything SymbolsUnclear)
-  | otherwise = maybe (Left (unanswered everything GridContradicts)) Right look
+  | otherwise = maybe (Left (unanswered everything GridContradicts)) Right onGrid
   where
     symbols = concatMap viewSymbols views
     everything = symbols ++ dissenters
     next = 1 + maximum (-1 : map readNumber everything)
-    look = do
+    onGrid = do
       grid <- faceGrid (groups symbols)
       let (whole, parts) = withParts reader views next grid
-      pure (Look everything dissenters parts whole (gridTilt angle grid))
+      pure (GridReading everything dissenters parts whole (gridSkew angle grid))
 
 -- | The settings that undo the mirroring of composites.
-unmirroring :: [Cleaned] -> [Remedy]
-unmirroring composites = case map cleanedComposite composites of
+unmirroring :: [ForeignMasked] -> [Remedy]
+unmirroring composites = case map maskedComposite composites of
   composite : _
     | null (compositeFrames composite) -> [remedy {remedyPositions = Nothing} | remedy <- found]
     | otherwise -> found
