@@ -37,7 +37,7 @@ data Judged
 judgedBy :: Judged -> Property
 judgedBy = judgedIn . pure
 
--- | Makes the demands of 'judged' on an answer that an action gives.
+-- | Makes the demands of 'judgedBy' on an answer that an action gives.
 judgedIn :: IO Judged -> Property
 judgedIn asked = ioProperty $ do
   outcome <- withinBounds (asked >>= \answer -> answer <$ evaluate (weight answer))

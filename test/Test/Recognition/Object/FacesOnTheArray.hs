@@ -73,7 +73,7 @@ spec = describe "placement" $ do
               [place | at <- everyPosition, OnFace place <- [whereabouts it_ canonicalWindow at]]
         length places `shouldBe` 132
         length (filter ((== Nothing) . corner) places) `shouldBe` 28
-    it "so are windows of every shape up to 6 x 9, and some beyond the torus" $
+    it "windows of every shape up to 6 x 9, and some beyond the torus, follow the definition" $
       thePlacement $ \it_ ->
         for_
           ( [Shape r c | r <- [0 .. 6], c <- [0 .. 9]]
@@ -126,7 +126,7 @@ spec = describe "placement" $ do
     it "a face is found wherever its name starts" $
       thePlacement $ \it_ ->
         (laidFace <$> findFace it_ "cube" (readFaceName "C3 C4 C1 C2")) `shouldBe` Right topFace
-    it "refuses unknown objects and faces, clockwise names, and cells that the face has not got" $
+    it "unknown objects and faces, clockwise names, and cells beyond the face are refused" $
       thePlacement $ \it_ -> do
         let alien = readFaceName "P1 P2 P3 P4"
             clockwise = readFaceName "C4 C3 C2 C1"
@@ -151,7 +151,7 @@ spec = describe "placement" $ do
 -- at any pitch.
 layingSpec :: Spec
 layingSpec =
-  withCases 100 400 . it "is laid, each block where it is to be, or refused for the first fault" $
+  withCases 100 400 . it "is laid with each block in its place, or refused for the first fault" $
     whenRight cube $ \it_ ->
       forAll (Pitch <$> elements pitches <*> elements pitches) $ \between ->
         forAll (choose (0, 3) >>= (`vectorOf` genLaying between (solidFaces it_))) $ \layings ->

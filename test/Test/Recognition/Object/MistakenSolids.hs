@@ -1,6 +1,6 @@
 {-# LANGUAGE OverloadedStrings #-}
 
--- | Descriptions of solids, and mistakes in them.
+-- | Descriptions of solids with mistakes.
 module Test.Recognition.Object.MistakenSolids
   ( mutations,
     tetrahedron,
@@ -36,7 +36,7 @@ reversing which it_ = it_ {describedFaces = zipWith reversed [0 ..] (describedFa
 turn :: Int -> FaceName -> FaceName
 turn by (FaceName walk) = FaceName (take (length walk) (drop (by `mod` length walk) (cycle walk)))
 
--- | Each kind's least example, with the defect that is told of it.
+-- | The smallest example of each kind of mistake, with the defect that is reported.
 mutations :: [(String, Description, Defect)]
 mutations =
   [ ("no faces", cubeDescription {describedFaces = []}, Defect NoFaces [] [] Nothing),
