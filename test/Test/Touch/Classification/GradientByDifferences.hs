@@ -103,7 +103,7 @@ spec = do
           first = trained 5
       trained 5 `shouldBe` first
       (trained 6 == first) `shouldBe` False
-    whenFull . it "of 400 epochs on a fifth of the images finds all clean shapes and half turns" $ do
+    whenFull . it "of 400 epochs on a fifth of the images finds clean shapes and half turns" $ do
       let verdicts = do
             a <- paperAlphabet'
             (n, _) <- either (Left . show) Right (trainWith (regimenOf 5 200) a 5)
