@@ -12,7 +12,7 @@ import Test.Hspec
 spec :: Spec
 spec = do
   for_ ofThePackage $ \(name, known) ->
-    it (name ++ " imports of the package " ++ nothingBut known) $ do
+    it (name ++ " imports from this package " ++ nothingBut known) $ do
       found <- importsUnder name
       filter (not . among known) (filter (among ["PraTactile"]) (map fst found)) `shouldBe` []
   it "the conformance definitions import only types from the library" $ do

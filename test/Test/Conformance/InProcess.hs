@@ -110,7 +110,7 @@ spec = do
                          else Just ([Exchange Nothing profile' (reply came)], reply right')
                      )
         (came == right', verdict == Holds) `shouldBe` (verdict == Holds, came == right')
-  it "a suite is about profiles that describe arrays; the first that does not is named" $ do
+  it "a suite needs profiles that describe arrays, and names the first that does not" $ do
     let under = [("one", possible), ("two", other)]
         failure = either Just (const Nothing)
     failure (standardSuite (under ++ [("three", impossible), ("four", impossible)]))

@@ -277,7 +277,7 @@ operation name input = "\"operation\": \"" ++ name ++ "\", \"input\": " ++ input
 -- | Requests, and how their replies begin.
 strange :: [(String, [String], [String])]
 strange =
-  [ ( "a line that is no JSON is errored, and the next one answered",
+  [ ( "a line that is not JSON is errored, and the next one answered",
       ["{", start],
       [err, "{\"prot"]
     ),
@@ -290,16 +290,16 @@ strange =
       ["{\"command\": \"run\", \"sequence\": 5, " ++ operation "negate" "{\"a\": 1}" ++ "}"],
       ["{\"sequence\":5,\"errored\":"]
     ),
-    ( "what is no profile is refused",
+    ( "an invalid profile is refused",
       ["{\"command\": \"profile\"}"],
       ["{\"refused\":\"invalid\"}"]
     ),
-    ("to stop there is no reply, and none to what follows", [start, stop, start], ["{\"prot"]),
+    ("stop has no reply, nor has anything after it", [start, stop, start], ["{\"prot"]),
     ( "a line of more than a mebibyte is errored, and the next one answered",
       [replicate 1100000 ' ' ++ start, start],
       [err, "{\"prot"]
     ),
-    ( "a reply of more than a mebibyte is refused, whatever it is, and the next one sent",
+    ( "a reply of more than a mebibyte is refused in every case, and the next one sent",
       ["{\"command\": \"run\", \"sequence\": 5, " ++ long ++ "}", start],
       ["{\"sequence\":5,\"refused\":\"too-long\"}", "{\"prot"]
     )

@@ -444,7 +444,7 @@ judgedNetwork, judgedJsonNetwork, judgedDrawing :: ByteString -> Judged
 judgedNetwork = inText networkMessage parseNetwork renderNetwork
 judgedJsonNetwork =
   judgedForm (formatMessage "it" "a network") decodeNetworkFile encodeNetwork $ \found ->
-    [ ( "its units are those that its dimensions say",
+    [ ( "its units are as many as its dimensions state",
         let (w1, w2) = unitRows (fileNetwork found)
          in map length w1 == map (const 97) w1 && map length w2 == map (const (length w1 + 1)) w2
       )

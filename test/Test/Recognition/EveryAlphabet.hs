@@ -99,7 +99,7 @@ spec = do
         shown <- right (classified (networkClassifier symbols) spoilt)
         (q, noise, classifiedVerdict shown) `shouldSatisfy` \(_, _, v) -> v /= Recognised
   for_ (byEffort (take 1) id [(4, 9), (3, 4), (5, 8)]) $ \(q, other) ->
-    it (pressedWith q other ++ " is not told as certain") $ do
+    it (pressedWith q other ++ " is not read as certain") $ do
       profile <- if q == 4 then pure canonicalProfile else shippedProfile q
       plate <- right (platePlacement (profileShape profile))
       theirs <- right (shippedAlphabet other)

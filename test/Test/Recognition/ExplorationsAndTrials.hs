@@ -77,8 +77,7 @@ genTurns =
 regionSpec :: Spec
 regionSpec = do
   it
-    "the smallest rectangle around a region lies uniformly on the face, or in its middle; round a \
-    \face shorter than it the region lies uniformly"
+    "a region's bounding box is uniform on the face or centred; a longer region is uniform"
     $ forAll genTurns $ \turns ->
       forAll ((,) <$> choose (1, 60) <*> choose (1, 60)) $ \(width, height) ->
         forAll ((,) <$> choose (30, 90) <*> choose (30, 90)) $ \(wide, high) ->

@@ -45,7 +45,7 @@ import Text.Printf (printf)
 spec :: Spec
 spec = do
   describe "a folder as bytes" bytesSpec
-  describe "frames as they are put together" preparedSpec
+  describe "frames prepared for stitching" preparedSpec
   describe "a folder on disk" diskSpec
   describe "decoding" decodeSpec
 

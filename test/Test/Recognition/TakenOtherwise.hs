@@ -121,7 +121,7 @@ nothingSpec = do
     case c of AgreeingAnywhere 24 0 0 -> True; _ -> False
   refusedAs "one coordinate is missing" (map (\(x, _) -> (x, 0))) anywhere
   refusedAs "one coordinate stands in both columns" (map (\(x, _) -> (x, x))) anywhere
-  refusedAs "they are another order's" (\ps -> drop 7 ps ++ take 7 ps) anywhere
+  refusedAs "they are in another order" (\ps -> drop 7 ps ++ take 7 ps) anywhere
   refusedAs "they are steps from one frame to the next" steps anywhere
   where
     refusedAs named change expected =

@@ -306,7 +306,7 @@ refusals =
       at 4 (Ends "its first vertex, a line v X Y Z")
     ),
     ("a text of another format", Off, "v 0 0 0\n", at 1 (Needed "the word OFF")),
-    ("a word that OFF begins", Off, "OFFER 1 0 0\n", at 1 (Needed "the word OFF")),
+    ("a longer word that begins with OFF", Off, "OFFER 1 0 0\n", at 1 (Needed "the word OFF")),
     ("a text of another format", Ply, "v 0 0 0\n", at 1 (Needed "the word ply")),
     ( "a text of another format",
       Stl,

@@ -185,9 +185,9 @@ onPages it_ room@(wide, high) net = case partsFor room net of
      in label (if length parts > 1 then "several parts" else "one part") . conjoin $
           [ sort (map netFaceName faces) === sort (solidFaces it_),
             length numbers + length folds === length (solidEdges it_),
-            counterexample "beyond the page" . property $
+            counterexample "a part is beyond the page" . property $
               all inside (concatMap netCorners faces ++ concat tabs),
-            counterexample "a face of another form" . property $
+            counterexample "a face has another form" . property $
               and
                 [ abs (flatApart p q - apart (placeOf it_ v) (placeOf it_ w)) < 1e-6
                   | face <- faces,
@@ -200,7 +200,7 @@ onPages it_ room@(wide, high) net = case partsFor room net of
                    conjoin
                      [ map rimEdge [one, other] === replicate 2 (rimEdge one),
                        counterexample "two tabs" (null (rimTab one) || null (rimTab other)),
-                       counterexample "elsewhere" $
+                       counterexample "a cut edge is listed in another part" $
                          and
                            [ other' `elem` partRims (parts !! (rimPart one' - 1))
                              | (one', other') <- [(one, other), (other, one)]
@@ -210,7 +210,7 @@ onPages it_ room@(wide, high) net = case partsFor room net of
                    [one, other] <- [filter ((== k) . rimNumber) rims]
                ]
             ++ [sort (map rimNumber rims) === sort (numbers ++ numbers)]
-            ++ [ counterexample "a tab on what is there" (common tab other < 1e-6 * common tab tab)
+            ++ [ counterexample "a tab lies on something" (common tab other < 1e-6 * common tab tab)
                  | part <- parts,
                    let own = mapMaybe rimTab (partRims part),
                    tab : others <- tails own,

@@ -28,7 +28,7 @@ spec = do
       forAll ((,) <$> side <*> side) $ \size ->
         forAll (smallList ((,) <$> side <*> side)) $ \cells ->
           (maskOf size cells == Nothing) === (null cells || not (all (inside size) cells))
-    it "of all cells is the block" $
+    it "of all cells equals the block" $
       and [maskOf (r, c) (allCells (r, c)) == Just (block (r, c)) | r <- [1 .. 4], c <- [1 .. 4]]
   describe "on small sheets" $ do
     withCases 1000 10000 . prop "packing is decided, with its reason, as the definition decides" $
@@ -47,12 +47,12 @@ spec = do
     withCases 30 200 . prop "packing is never called impossible for the pieces of a sheet" $ cutUp
     prop "the answer does not depend on the order of pieces and alternatives" anyOrder
   describe "puzzles" $ do
-    it "pentominoes: all twelve on 3 x 20, 4 x 15, 5 x 12 and 6 x 10" $
+    it "all twelve pentominoes fill 3 x 20, 4 x 15, 5 x 12 and 6 x 10" $
       [ outcomeOf (Question size [] (map turnedAndMirrored pentominoes))
         | size <- [(3, 20), (4, 15), (5, 12), (6, 10)]
       ]
         `shouldBe` replicate 4 "packed"
-    it "pentominoes on 8 x 8 without the middle four cells" $
+    it "the pentominoes fill 8 x 8 without the middle four cells" $
       outcomeOf
         (Question (8, 8) [(((2, 2), allCells (2, 2)), (3, 3))] (map turnedAndMirrored pentominoes))
         `shouldBe` "packed"
@@ -223,7 +223,7 @@ asDefined seed =
      in cover 25 (null why) "packed"
           . cover 2 (why == Just Exhausted) "exhausted"
           . cover 0.3 (why `elem` map (Just . NoRoom) [0 .. 4]) "no room"
-          . counterexample (show why ++ ", and it says " ++ show outcome)
+          . counterexample (show why ++ ", and the search says " ++ show outcome)
           $ agrees question why outcome
 
 -- * Laws

@@ -14,7 +14,7 @@ import Test.QuickCheck
 
 spec :: Spec
 spec = do
-  prop "every triangle turns left, and there are n - 2 o + 2 h" $
+  prop "every triangle turns left, and there are n - 2 o + 2 h of them" $
     forAll genRegion $ \whole@(Region _ loops) ->
       let found = cut whole
        in conjoin

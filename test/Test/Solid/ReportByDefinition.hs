@@ -24,7 +24,7 @@ import Test.QuickCheck
 import Test.Solid.Drilled
 
 spec :: Spec
-spec = describe "the report on a polyhedron, beside the definition" $ do
+spec = describe "the report on a polyhedron" $ do
   withCases 2 50 $ do
     for_ [minBound .. maxBound] $ \kind ->
       it ("is complete and exact for plates with holes and a defect: " ++ kindName kind) $

@@ -270,21 +270,21 @@ outputSpec = do
   it "surplus output is read for a limited time, even if it goes on" $ do
     read' <- child fewWithoutEnd (\running -> timeout 10000000 (drain running 20 0.3 5))
     floodLines <$> read' `shouldBe` Just 0
-  describe "where no line comes in time, the report says what came instead:" $
+  describe "if no line comes in time, the report says what came instead" $
     forM_
-      [ ( "a part",
+      [ ( "a part of a line",
           "printf ab; sleep 20",
           Fault HalfLine "no end of the line within 0.5 seconds: ab"
         ),
         ("nothing", "sleep 20", Fault TimedOut "no reply within 0.5 seconds"),
-        ( "that the input is closed",
+        ( "a closed input",
           "exec <&-; sleep 20",
           Fault ClosedPipe "it closed its standard input and did not answer"
         ),
-        ("an end", "printf ab", Fault HalfLine "its output ends within a line: ab"),
+        ("an end within a line", "printf ab", Fault HalfLine "its output ends within a line: ab"),
         ("an end without a word", "exit 0", Fault Crashed "it ended, with status 0"),
-        ("a violent one", "kill -9 $$", Fault Crashed "it was ended by signal 9"),
-        ( "one with a word",
+        ("an end by a signal", "kill -9 $$", Fault Crashed "it was ended by signal 9"),
+        ( "an end with a word",
           "echo sorry >&2; exit 2",
           Fault Crashed "it ended, with status 2; on its standard error: sorry"
         )

@@ -237,8 +237,8 @@ mutations :: [(String, [Solid] -> Either PlacementError Placement, PlacementErro
 mutations =
   [ ("an array without rows", with' (Shape 0 17) canonicalPitch [], EmptyArray (Shape 0 17)),
     ("an array without columns", with' (Shape 15 0) canonicalPitch [], EmptyArray (Shape 15 0)),
-    ("a pitch of nothing along rows", with' sheet (Pitch 0 1) [], PitchNotPositive (Pitch 0 1)),
-    ("a pitch of nothing along columns", with' sheet (Pitch 1 0) [], PitchNotPositive (Pitch 1 0)),
+    ("a pitch of zero along rows", with' sheet (Pitch 0 1) [], PitchNotPositive (Pitch 0 1)),
+    ("a pitch of zero along columns", with' sheet (Pitch 1 0) [], PitchNotPositive (Pitch 1 0)),
     ( "two objects of one name",
       \objects -> placement sheet canonicalPitch (objects ++ take 1 objects) [],
       RepeatedObject "cube"

@@ -36,7 +36,7 @@ import Test.Touch.Paper (paperAlphabet, paperNetwork)
 
 spec :: Spec
 spec = do
-  describe "of drawn solids, laid by search" lookUpSpec
+  describe "random solids, laid by search" lookUpSpec
   describe "windows counted" countSpec
   describe "the search" searchSpec
   describe "files" fileSpec

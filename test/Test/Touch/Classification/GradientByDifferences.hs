@@ -22,7 +22,7 @@ import Test.Touch.Paper (paperAlphabet)
 spec :: Spec
 spec = do
   describe "A batch" $
-    it "refuses no images, images that are not 8 x 12, and classes that are not" $
+    it "refuses no images, images that are not 8 x 12, and unknown classes" $
       [ either Just (const Nothing) (batch 2 images)
         | images <-
             [ [],

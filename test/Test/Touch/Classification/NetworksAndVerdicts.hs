@@ -113,7 +113,7 @@ spec = do
         ]
     it "on no outputs is no symbol" $
       decide standardThresholds [] `shouldBe` NoSymbol 0
-    it "on outputs that are not numbers is a refusal" $
+    it "on NaN outputs recognises nothing" $
       [ v
         | i <- [0 .. 2 :: Int],
           let v = decide standardThresholds [if i == j then 0 / 0 else 0.1 | j <- [0 .. 2]],

@@ -115,7 +115,7 @@ gradients Composite {compositeImage = image, compositeCoverage = coverage} =
 
 uprightSpec :: Spec
 uprightSpec =
-  it "set upright it is as large as its corners need, each pixel between those around its place" $
+  it "a composite set upright is as large as its corners need, with interpolated pixels" $
     forAllBlind (genComposite (1, 9)) $ \composite ->
       forAll (oneof [choose (-180, 180), elements [0, 30, 90, -90, 180]]) $ \angle ->
         let (upright, _) = setUpright angle composite

@@ -290,7 +290,7 @@ draws = do
     abs (moment 2 - 1) `shouldSatisfy` (< 5 * sqrt (2 / n))
     abs (moment 3) `shouldSatisfy` (< 5 * sqrt (15 / n))
     abs (moment 4 - 3) `shouldSatisfy` (< 5 * sqrt (96 / n))
-  it "the two of a pair are uncorrelated within five standard errors" $ do
+  it "the two draws of a pair are uncorrelated within five standard errors" $ do
     let count = 50000 :: Int
         (vs, _) = normals (2 * count) (mkStdGen 7)
         products =

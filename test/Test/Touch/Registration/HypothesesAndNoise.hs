@@ -208,7 +208,7 @@ noiseSpec = do
                 found >= lower - bin && found <= upper + bin
   it "is from at most 256 of the frames, evenly taken of different ones, in any order" $
     forAll (choose (1, 4 :: Int)) $ \every ->
-      -- Of 256 times as many, one in so many has noise.
+      -- Of 256 times 'every' images, one in 'every' has noise.
       let image k = generate 2 2 $ \x y ->
             fromIntegral k / 2048 + (if (x, y) == (1, 1) && k `mod` every == 0 then 0.5 else 0)
           images = map image [0 .. 256 * every - 1]

@@ -370,7 +370,7 @@ unseen = do
 
 noisy :: Spec
 noisy =
-  it "with noise and errors, frames are registered to half a taxel, twice better" $
+  it "with noise and errors, frames are placed to half a taxel, and to half of their errors" $
     conjoin
       [ let errors = take 12 (draw (mkStdGen seed))
             frames = pressed standardSensor face (zip (region 32 40) errors)

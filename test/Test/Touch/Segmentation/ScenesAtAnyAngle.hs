@@ -225,7 +225,7 @@ things =
 besideForeign :: Spec
 besideForeign = do
   for_ things $ \(Thing name foreign' distance cause) ->
-    it (name ++ " is no symbol, and costs none that is two taxels from it") $
+    it (name ++ " is no symbol, and hides none that is two taxels from it") $
       for_ scenes $ \(k, scene) -> do
         let composite = drawnWith k 0.05 foreign' scene
         segmented <- shownBy composite

@@ -109,7 +109,7 @@ scaleSpec = do
 
 pressSpec :: Spec
 pressSpec = do
-  it "of a tilted sensor without force on a flat face is a plane through its centre, or 0" $
+  it "of a tilted sensor without force on a flat face read a plane through its centre, or 0" $
     forAll (choose (0, 10000)) $ \seed -> forAll (elements [0, 1.1]) $ \tab ->
       let sensor = idealSensor {sensorTiltSpread = 0.3, sensorTab = tab}
           flat = heightMap 1 (constant 100 100 0)

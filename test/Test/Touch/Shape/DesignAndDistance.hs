@@ -75,7 +75,7 @@ spec = do
   describe "Alphabet" $ do
     it "is read as it was drawn" $
       property $ forAll alphabetGen $ \a -> parseAlphabet (renderAlphabet a) === Right a
-    it "refuses no shapes, a blank or repeated one, a repeated name, a line break" $
+    it "refuses an empty alphabet, a blank or repeated shape, a repeated name, and a line break" $
       map
         (either Just (const Nothing) . alphabet)
         [ [],
@@ -183,7 +183,7 @@ spec = do
       onShipped $ \these -> do
         map (pieces . embossedSet) these `shouldBe` map (const 1) these
         map (pieces . flatAround) these `shouldBe` map (const 1) these
-    it "its separation is 44" $
+    it "the separation of the shipped shapes is 44" $
       fmap separation paperAlphabet `shouldBe` Right 44
 
   describe "Design" $ do
@@ -311,7 +311,7 @@ spec = do
       property $
         forAll ((,) <$> shapeGen <*> elements ordinaryFeatures) $ \(b, f) ->
           abs (likeness b f - correlation (map bit (concat (bitmapRows b))) (window f)) < 1e-9
-    it "the set of them is closed under the half turn and the mirrors of the window" $ do
+    it "the set of ordinary features is closed under the half turn and the window's mirrors" $ do
       let images = Set.fromList [bitmapWhere (raises f) | f <- ordinaryFeatures]
       Set.unions (map family (Set.toList images)) `shouldBe` images
 

@@ -11,7 +11,7 @@ import Test.Touch.Paper (paperAlphabet)
 
 spec :: Spec
 spec = do
-  prop "they wind once round each embossed taxel and round no other" $
+  prop "outlines wind once round each embossed taxel and round no other" $
     forAllBlind genBitmap $ \shape -> case outlines shape of
       Left _ -> label "two taxels meet at a corner only" True
       Right loops ->
@@ -22,7 +22,7 @@ spec = do
               x <- [-1 .. symbolWidth],
               let on = embossedAt shape x y
           ]
-  prop "they turn at each of their corners, and no two meet" $
+  prop "outlines turn at each of their corners, and no two meet" $
     forAllBlind genBitmap $ \shape -> case outlines shape of
       Left _ -> property True
       Right loops ->
