@@ -54,7 +54,7 @@ spec = do
       `shouldBe` ("mine", [SomeOp Term, SomeOp Add], 64)
     (subjectUnknown subject, length (subjectChecks subject)) `shouldBe` ([], 0)
     let sum' = subjectAsk subject [SomeQuestion (Add :? (1, 1)), SomeQuestion (Add :? (1, 0))]
-        -- A shared text made by replicate would not do: GHC 9.0.2 copies it.
+        -- Written twice, because GHC 9.0.2 makes a different text of one that replicate repeats.
         none = map (Right . ResponseErrored) ["no profile is in force", "no profile is in force"]
         sums = map (Right . ResponseResult . toJSON) [0, 1 :: Int]
         blank = replicate 4 (replicate 4 0)

@@ -129,7 +129,7 @@ lawsFailing = lawsFailingWith patient
 lawsFailingOf :: [String] -> [(String, Profile)] -> Implementation -> IO [String]
 lawsFailingOf ids = lawsFailingWith patient {settingRun = ids}
 
--- | Settings with a time limit that a busy machine cannot reach.
+-- | Settings without a limit of time, because the machine may be busy.
 patient :: Settings
 patient = standardSettings {settingLimit = 1 / 0, settingCases = byEffort 10 100}
 

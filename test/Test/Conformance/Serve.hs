@@ -66,7 +66,7 @@ spec = do
           ["register/blank", "stitch/truth-stays", "segment/blank", "network/outputs-of-each-taxel"]
         oneShot = "--one-shot" : byEffort (running ["register/blank"]) []
         session = (byEffort (running ofEach) [], [], True)
-    -- An operation is certified if a law of it holds.
+    -- A subject is certified if a law of each operation that it offers holds.
     for_ [session, (oneShot, ["--one-shot"], effort == Full)] $ \(how, server, certified) -> do
       (status, out, err) <- conform (options ++ how) (served ++ server)
       (status, err) `shouldBe` (0, "")
@@ -256,7 +256,7 @@ extremes question@(SomeQuestion typed) =
           new <- change item
       ]
 
--- | A request for one process, with further keys.
+-- | A request with one question and further keys.
 requestOf :: Object -> SomeQuestion -> ByteString
 requestOf keys (SomeQuestion question) =
   Lazy.toStrict . encode . Object $
@@ -267,7 +267,7 @@ requestOf keys (SomeQuestion question) =
           "input" .= questionInput question
         ]
 
--- | The bytes of a line without its end.
+-- | The number of bytes of a line without its end.
 lineLength :: Lazy.ByteString -> Int
 lineLength = fromIntegral . Lazy.length . Lazy.Char8.takeWhile (/= '\n')
 

@@ -103,7 +103,7 @@ mutation =
           (1, Nested <$> frequency [(4, choose (1, 3)), (1, choose (50, 5000))]),
           (3, Without <$> child),
           (2, Twice <$> child),
-          -- Long garbage now and then shows costs that are out of proportion.
+          -- Long repetitions now and then show costs that are out of proportion.
           (2, Again <$> child <*> frequency [(30, choose (1, 40)), (1, choose (20000, 200000))]),
           (1, Rekeyed <$> child <*> elements ["", "q", "at", "schema", "\\u0000", "a.b[0]"]),
           (2, pure Emptied)

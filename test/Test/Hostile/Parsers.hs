@@ -207,7 +207,7 @@ judgedPgm = judged imageMessage decodePgm $ \image ->
     | format <- [Plain, Binary]
   ]
 
--- | All images of a calibration are shares of full scale, of its size.
+-- | The images of a file: all have its size, and values that are shares of full scale.
 judgedImages :: ByteString -> Judged
 judgedImages = judged imageMessage (decodeImages maxPixels) $ \images ->
   [ ( "its images are shares of full scale",
@@ -464,7 +464,7 @@ inText inWords parse render =
   where
     decode = either (const (Left Nothing)) (first Just . parse) . decodeUtf8'
 
--- | The bytes that begin an input of some format.
+-- | A solid's file, whose first bytes determine its format.
 judgedSolid :: ByteString -> Judged
 judgedSolid bytes = case readSolid format (ObjectName "it") bytes of
   Left why -> Refused (solidFileMessage "it" format why)

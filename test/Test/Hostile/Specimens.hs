@@ -279,7 +279,7 @@ grids =
 networks :: [ByteString]
 networks = [encodeUtf8 (renderNetwork found) | found <- smallNetworks]
 
--- | The network of one hidden unit and two outputs in the other form.
+-- | The network of one hidden unit and two outputs in JSON.
 jsonNetworks :: [ByteString]
 jsonNetworks =
   [ encodeNetwork (NetworkFile found (replicate 64 '0') (standardCalibration 2) (Just 1) Nothing)

@@ -175,7 +175,7 @@ someTruth =
     <*> ((,) <$> choose (-500, 500) <*> choose (-500, 500))
     <*> pure Nothing
 
--- | A truth at any angle with its origins at 0, and upright.
+-- | Simpler truths for shrinking: with an origin at 0, or upright.
 simpler :: Truth -> [Truth]
 simpler truth =
   filter

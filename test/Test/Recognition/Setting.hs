@@ -92,7 +92,7 @@ recogniserOn :: KnownField k => Surface -> Setting k -> Recogniser k
 recogniserOn surface (Setting array mask layout reader) =
   orError (recogniser (ArrayOn surface array) mask layout reader)
 
--- | The shipped parts fit together.
+-- | The result, for shipped parts, which fit together.
 orError :: Show e => Either e a -> a
 orError = either (error . show) id
 

@@ -142,7 +142,7 @@ spec = do
         `shouldBe` Right [["V1", "V2", "V3"], ["V3", "V2", "V4"], ["V3", "V4", "V5"]]
       facesOf Ply (file "tristrips" "9 0 1 2 -1 2 1 3 -1 4")
         `shouldBe` Right [["V1", "V2", "V3"], ["V3", "V2", "V4"]]
-      -- A repeated corner makes no triangle, but counts for the side.
+      -- A repeated corner makes no triangle, but counts in the alternation of sides.
       facesOf Ply (file "tristrips" "6 0 1 2 2 3 4")
         `shouldBe` Right [["V1", "V2", "V3"], ["V4", "V3", "V5"]]
       facesOf Ply (file "tristrips" "4 0 1 5 3")
@@ -404,7 +404,7 @@ facesOf format bytes =
   map (map vertexText . faceVertices) . describedFaces . toDescription . contentsMesh
     <$> readSolid format (ObjectName "x") bytes
 
--- | The description with the names that unnamed vertices are given.
+-- | The mesh with the names that unnamed vertices are given.
 nameless :: Mesh -> Mesh
 nameless it_ =
   withShape
@@ -414,7 +414,7 @@ nameless it_ =
     (meshWalks it_)
     it_
 
--- | The part that does not depend on the order of vertices and faces.
+-- | Measures of a mesh that do not depend on the order of vertices and faces.
 shapeOf :: Mesh -> (Int, Int, Int, [Maybe Rational])
 shapeOf it_ =
   ( reportVertices report,

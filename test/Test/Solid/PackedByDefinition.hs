@@ -162,7 +162,7 @@ outcomeOf question = case answered 1 question of
   Packed laid -> if isPacking question laid then "packed" else "packed wrongly: " ++ show laid
   other -> show other
 
--- | The filled share of the rows up to the last used one; 'Nothing' unless it is a packing.
+-- | The filled share of the rows up to the last used one; 0 unless it is a packing.
 filled :: Question -> Double
 filled question@(Question (_, columns) _ _) = case concat (cellsLaid question (laidBy question)) of
   [] -> 0
@@ -240,7 +240,7 @@ blocksOfAGrid =
   where
     size k = (,) <$> choose (1, k) <*> choose (1, k)
 
--- | On two rows, one with a block that already lies.
+-- | Two rows, one with a block that already lies.
 besideALongBlock :: Property
 besideALongBlock =
   forAll ((,,) <$> choose (1, 300) <*> choose (0, 70) <*> choose (0, 70)) $

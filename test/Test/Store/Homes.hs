@@ -121,7 +121,7 @@ homeInFolder folder = do
           "END"
         ]
 
--- | In a new schema.
+-- | A home in a new schema on the server.
 homeOnServer :: Server -> IO Home
 homeOnServer server = do
   copies <- newIORef []

@@ -1,5 +1,6 @@
 {-# LANGUAGE OverloadedStrings #-}
 
+-- | Tests a store in a file: translated errors, replacement as a whole, and refused files.
 module Test.Store.RowsAndGuards (spec) where
 
 import Control.Exception (AsyncException (..), ErrorCall (..), bracket, throwIO)

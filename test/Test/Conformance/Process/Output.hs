@@ -367,11 +367,12 @@ session = withProcess InSession (Limits 20 60)
 shell :: String -> Command
 shell script = Command "sh" ["-c", script]
 
--- | Writes a line and this many more at once, so that a busy machine cannot separate them.
+-- | A shell command that writes a line and this many more at once, so that a busy machine cannot
+-- separate them.
 floodOf :: String -> Int -> String
 floodOf line more = "echo '" ++ line ++ concat (replicate more "\nx") ++ "'; exit"
 
--- | Whether a profile is in force.
+-- | The answers to questions under a profile that was put in force.
 asked :: Subject -> [SomeQuestion] -> IO [Either Fault Response]
 asked subject questions = subjectProfile subject (profileOf 1) >> subjectAsk subject questions
 
@@ -427,7 +428,7 @@ instead flight before' first =
 zeros :: Int -> String
 zeros count = "head -c " ++ show count ++ " /dev/zero"
 
--- | A case for requests whose @a@ is that number.
+-- | A shell command that runs this action on requests whose @a@ is this number.
 onceAsked :: Int -> String -> String
 onceAsked a action = "if [ $a = " ++ show a ++ " ]; then " ++ action ++ "; fi"
 

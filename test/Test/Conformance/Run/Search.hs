@@ -132,7 +132,7 @@ judged (a, b) = do
       then Violated (Violation [] (Result (toJSON ())) "" "")
       else Holds
 
--- | States the same condition directly on the implementation's sequence.
+-- | Whether the law fails, by the implementation's sequence itself.
 failing :: (Natural, Natural) -> Bool
 failing (a, b) = a < b && all (\i -> i == 3 || i >= 7) [a, b]
 

@@ -397,6 +397,6 @@ caseSpec = do
       _ -> Nothing
     alone = onlyOne {suiteLaws = []}
 
--- | Runs the suite under one profile, without laws of profiles and of touch.
+-- | The suite under one profile, without laws of profiles and of touch.
 onlyOne :: Suite Profile
 onlyOne = suite {suiteProfiles = [("one", one)], suiteOpenings = [], suiteWithoutProfile = []}

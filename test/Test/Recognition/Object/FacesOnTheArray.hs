@@ -1,5 +1,6 @@
 {-# LANGUAGE OverloadedStrings #-}
 
+-- | Tests placements: the canonical one, both look-ups against its definition, and refusals.
 module Test.Recognition.Object.FacesOnTheArray (spec) where
 
 import Data.Foldable (for_)

@@ -31,7 +31,7 @@ import Test.Touch.Paper (paperAlphabet)
 
 spec :: Spec
 spec = do
-  -- A skewed block 10^12 mm away along one axis was written as a plane figure of volume 0: no two
+  -- A rotated block 10^12 mm away along one axis was written as a plane figure of volume 0: no two
   -- points became one, and no triangle turned over.
   withCases 25 100 . prop "a solid far away is written as the same solid, or refused" $
     forAll (elements [minBound ..]) $ \body ->

@@ -1,5 +1,6 @@
 {-# LANGUAGE OverloadedStrings #-}
 
+-- | Tests solids as winged edges: known ones, laws of every solid, and refused descriptions.
 module Test.Recognition.Object.SolidsAreClosed (spec) where
 
 import Data.Either (isLeft)

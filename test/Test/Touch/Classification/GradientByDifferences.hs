@@ -1,3 +1,4 @@
+-- | Tests training: batches, gradients against finite differences, descent, synthetic images.
 module Test.Touch.Classification.GradientByDifferences (spec) where
 
 import Data.List (sort)
@@ -207,7 +208,7 @@ errorBefore, errorAfter :: Trace -> Double
 errorBefore = epochError . NonEmpty.head
 errorAfter = epochError . lastEpoch
 
--- | Two rounds of this many epochs, on one of this many parts of the images.
+-- | A regimen of two rounds on one of this many parts of the images, with this many epochs each.
 regimenOf :: Int -> Int -> Regimen
 regimenOf share many =
   shippedRegimen

@@ -252,7 +252,7 @@ data Tally = Tally
   }
   deriving stock (Show)
 
--- | This many images of a class, or of none, drawn one after the other from a seed.
+-- | The verdicts on this many images of a class, or of none, drawn one after the other from a seed.
 tallied :: Network -> Maybe Int -> Int -> (StdGen -> (Raster, StdGen)) -> Int -> Tally
 tallied n class' count draw seed =
   Tally

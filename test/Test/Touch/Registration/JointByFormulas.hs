@@ -46,7 +46,7 @@ blank = likelihood (tablesOf 0 (16, 16)) (whole (constant 16 16 0))
   where
     tablesOf = tablesAt paperTables
 
--- | The likelihood of an empty frame, by the phases and the classes in its tables.
+-- | A frame at this place, with these log-likelihoods of phases and classes.
 seenAt :: (Double, Double) -> V.Vector Double -> V.Vector Double -> Seen
 seenAt place phases classes =
   Seen

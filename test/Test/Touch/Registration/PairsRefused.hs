@@ -152,7 +152,7 @@ clean relief = (generate 16 16 relief, generate 16 16 (\x y -> relief (x + 9) (y
 noisy :: Double -> (Int -> Int -> Double) -> (Raster, Raster)
 noisy = noisyBy 5
 
--- | By the lattice, the likelihoods of both frames for symbols that lie upright.
+-- | Tests registration by the lattice, from the likelihoods of both frames for upright symbols.
 byLattice :: Spec
 byLattice =
   prop "by the lattice the hypotheses are those of the phases of upright symbols" $

@@ -250,7 +250,7 @@ genScale = (,) <$> choose (0.05, 2) <*> choose (-1, 1)
 onScale :: (Double, Double) -> Frame -> Frame
 onScale (gain, offset) f = f {frameImage = mapRaster (\v -> gain * v + offset) (frameImage f)}
 
--- | The reading of a pixel after that, which is 0 where nothing touched.
+-- | The reading of a pixel after this gain and offset, which is 0 where nothing touched.
 scaledWhere :: (Double, Double) -> Double -> Double -> Double
 scaledWhere (gain, offset) coverage v = if coverage < 0.001 then 0 else gain * v + offset
 

@@ -1,5 +1,6 @@
 {-# LANGUAGE OverloadedStrings #-}
 
+-- | Tests shapes: bitmaps, alphabets, distances, the design, and ordinary features.
 module Test.Touch.Shape.DesignAndDistance (spec) where
 
 import Control.Monad (replicateM)
