@@ -1,5 +1,5 @@
--- | What the documents and the help say is what happens: their commands are run, from the texts
--- themselves.
+-- | Tests that the commands in the documents and in the help do what is written beside them. They
+-- are read from these texts.
 module Test.Documents (spec) where
 
 import Control.Monad (filterM, forM_, unless)
@@ -20,11 +20,11 @@ import Test.Support
 spec :: Spec
 spec = do
   pages <- runIO documents
-  it "a document is made of its pieces" $
+  it "a document is the concatenation of its pieces" $
     forM_ pages $ \file -> do
       text <- readText file
       (file, rendered (pieces text)) `shouldBe` (file, text)
-  it "a transcript is read and written alike" $
+  it "a transcript is written as it was read" $
     property
       ( \shown ->
           let text =
@@ -32,14 +32,14 @@ spec = do
            in rendered (pieces text) == text
       )
   forM_ pages $ \file -> describe file $ do
-    it "its commands print what is shown under them" $
+    it "the document's console commands print what is shown under them" $
       scratch $ \folder -> do
         text <- readText file
         let steps = [step | Transcript Quick found <- pieces text, step <- found]
         forM_ (filter (isTried . commandText) steps) $ \step -> do
           shown <- run folder (commandText step)
           (commandText step, shown) `shouldBe` (commandText step, stepShown step)
-    it "its other commands work" $
+    it "the document's other commands succeed" $
       scratch $ \folder -> do
         text <- readText file
         makefile <- readText "Makefile"
@@ -63,7 +63,7 @@ spec = do
               "export" : _ -> pure ()
               -- tools/check-packages.sh installs packages.
               first : _ | first `elem` ["dpkg", "pip"] -> pure ()
-              -- Scripts of the repository are there, and can be run.
+              -- Scripts of the repository must exist and be executable.
               first : _
                 | any (`isPrefixOf` first) ["bench/", "tools/"] ->
                   doesFileExist first >>= ((command, True) `shouldBe`) . (,) command
@@ -76,7 +76,7 @@ spec = do
         astray `shouldBe` []
   describe "the examples of the help" $ do
     names <- runIO commandNames
-    it "are of all commands" $ length names `shouldSatisfy` (> 20)
+    it "exist for every command" $ length names `shouldSatisfy` (> 20)
     parallel $
       forM_ names $ \name -> it name $
         scratch $ \folder -> do
@@ -143,8 +143,8 @@ leads file target = do
       | otherwise = ""
 
 -- | Whether a document's command is run. A quick run leaves out those that take a second or more:
--- evaluations, presses by the dozen, large arrays, laws of touch and of objects, and a process for
--- each request. Other tests have the like with less to do.
+-- evaluations, many presses, large arrays, laws of touch and of objects, and a process per request.
+-- Other tests run the like on less.
 isTried :: String -> Bool
 isTried command = byEffort (not (any (`isInfixOf` command) laborious)) True
   where
@@ -160,9 +160,9 @@ isTried command = byEffort (not (any (`isInfixOf` command) laborious)) True
         "conform --stage objects"
       ]
 
--- | The same command with less to do: its counts are the reader's choice, and what it does with
--- larger ones is held elsewhere. A whole training takes a minute; make check-network has one. In a
--- quick run laws and vectors are those of one profile.
+-- | A command with smaller counts. The reader may choose counts, and other tests cover large ones.
+-- Whole training takes a minute and is left to make check-network. A quick run tests laws and
+-- vectors of one profile.
 briefly :: String -> String
 briefly line = case words line of
   "pra-tactile" : "train" : _ -> "timeout 0.5 " ++ line
@@ -203,7 +203,7 @@ commandNames = do
         all (`elem` ['a' .. 'z']) name
     ]
 
--- | The examples at the end of a command's help, a line each, or more where a line is indented
+-- | The examples at the end of a command's help: a line each, or more where a line is indented
 -- deeper.
 examplesIn :: String -> [String]
 examplesIn help =
@@ -220,8 +220,8 @@ examplesIn help =
          in unwords (first : map (dropWhile isSpace) more) : joined next
       [] -> []
 
--- | A folder of its own, in which the shipped data and the examples are where they are in the
--- repository.
+-- | Runs an action in a new folder that has the shipped data and the examples where the repository
+-- has them.
 scratch :: (FilePath -> IO a) -> IO a
 scratch act = inFolder $ \folder -> do
   top <- getCurrentDirectory
@@ -230,8 +230,8 @@ scratch act = inFolder $ \folder -> do
   createDirectoryIfMissing True (folder </> "docs" </> "results")
   act folder
 
--- | The files that examples speak of, made by the commands that make such files, where the example
--- does not make it itself.
+-- | Makes the files that examples mention, with the commands that make such files, unless the
+-- example makes them itself.
 furnish :: FilePath -> String -> IO ()
 furnish folder line = forM_ files $ \(name, command) -> do
   let made = any (`isInfixOf` line) [word ++ name | word <- ["--output ", "--write ", "> "]]

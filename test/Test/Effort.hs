@@ -1,6 +1,6 @@
--- | How much the suite does. @PRA_TACTILE_EFFORT@ says so: @quick@, what a person waits for, or
--- @full@, everything. It is read here alone; every test takes its cases, sizes, profiles and
--- languages from here.
+-- | How much the suite does. @PRA_TACTILE_EFFORT@ is @quick@, for a run that a person waits for, or
+-- @full@, for everything. Only this module reads it; every test takes its cases, sizes, profiles
+-- and languages from here.
 module Test.Effort
   ( Effort (..),
     effort,
@@ -20,7 +20,7 @@ import Test.Hspec.QuickCheck (modifyMaxSuccess)
 data Effort = Quick | Full
   deriving stock (Eq, Show)
 
--- | What the environment asks for; anything but the two words ends the run.
+-- | The effort that the environment requests. Any word but these two ends the run.
 effort :: Effort
 effort = unsafePerformIO $ do
   given <- fromMaybe "quick" <$> lookupEnv "PRA_TACTILE_EFFORT"
@@ -30,16 +30,16 @@ effort = unsafePerformIO $ do
     other -> fail ("PRA_TACTILE_EFFORT is quick or full, and not " ++ other)
 {-# NOINLINE effort #-}
 
--- | The first of a quick run, the second of a full one.
+-- | The first argument in a quick run, the second in a full one.
 byEffort :: a -> a -> a
 byEffort quick full = case effort of
   Quick -> quick
   Full -> full
 
--- | What a full run alone does.
+-- | An action of full runs only.
 whenFull :: Applicative f => f () -> f ()
 whenFull = byEffort (const (pure ())) id
 
--- | So many random cases for each property.
+-- | The number of random cases of each property, in a quick and in a full run.
 withCases :: Int -> Int -> SpecWith a -> SpecWith a
 withCases quick full = modifyMaxSuccess (const (byEffort quick full))

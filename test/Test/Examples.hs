@@ -1,7 +1,7 @@
 {-# LANGUAGE OverloadedStrings #-}
 
--- | The decoders in @examples@, which others are to learn from: each is put under the suite, as its
--- page says, and found right.
+-- | Tests the example decoders in @examples@: the suite certifies each, by the commands that its
+-- page gives.
 module Test.Examples (spec) where
 
 import Data.Aeson (Value (..))
@@ -19,7 +19,7 @@ import Test.Support
 spec :: Spec
 spec = do
   describe "in C" . aroundAll withDecoder $ do
-    it "is built without a warning, asks for no memory, and is certified" $
+    it "is built without a warning, allocates no memory, and is certified" $
       ifBuilt $ \decoder -> do
         (_, symbols, _) <- readProcessWithExitCode "nm" ["-u", decoder] ""
         filter (`elem` ["malloc", "calloc", "realloc"]) (map name (words symbols)) `shouldBe` []
@@ -38,7 +38,7 @@ spec = do
         heldAll
           (words ("--stage network --cases " ++ byEffort "4" "25"))
           [python, "examples/python/subject.py"]
-    it "answers a process's one request" $
+    it "answers the one request of a process" $
       withPython $ \python -> answersAlone python ["-S", "examples/python/subject.py", "--one-shot"]
     whenFull . it "is right in one-shot mode" $
       withPython $ \python ->
@@ -50,7 +50,7 @@ spec = do
   describe "in JavaScript" $ do
     it "holds the laws of the code" $
       withNode (\node -> certifiedIn 8 [node, "examples/javascript/subject.mjs"])
-    it "answers a process's one request" $
+    it "answers the one request of a process" $
       withNode $ \node -> answersAlone node ["examples/javascript/subject.mjs", "--one-shot"]
     whenFull . it "is right in one-shot mode" $
       withNode $ \node ->
@@ -59,7 +59,7 @@ spec = do
           [node, "examples/javascript/subject.mjs", "--one-shot"]
     whenFull . it "passes test vectors" $
       withNode (\node -> passesVectors [node, "examples/javascript/subject.mjs"])
-  it "in Go: holds the laws of the code under the paper's profile" $ do
+  it "the decoder in Go holds the laws of the code under the paper's profile" $ do
     compiler <- findExecutable "go"
     case compiler of
       Nothing -> pendingWith "there is no Go here"
@@ -78,13 +78,13 @@ spec = do
         (status, err) `shouldBe` (ExitSuccess, "")
         filter (not . ("+++ OK" `isInfixOf`)) (lines out) `shouldBe` []
         length (lines out) `shouldSatisfy` (> 100)
-    it "the call of all laws, and the items of hspec, are right to the compiler" $
+    it "the calls of all laws and of the hspec items compile" $
       for_ (byEffort id ("Plain" :) ["Report", "Spec"]) $ \file ->
         haskell ["-fno-code"] file `shouldReturn` (ExitSuccess, "", "")
-  it "on galois: it is short" $ do
+  it "the decoder on galois is short" $ do
     text <- readFile "examples/galois/subject.py"
     length (lines text) `shouldSatisfy` (< 60)
-  it "the Python package as a wheel installs it: its own tests hold, and its page's lines run" $
+  it "the Python package passes its own tests as a wheel, and its page's lines run" $
     withPython $ \python -> inFolder $ \folder -> do
       Just program <- findExecutable "pra-tactile"
       top <- getCurrentDirectory
@@ -92,7 +92,7 @@ spec = do
       if made /= ExitSuccess
         then pendingWith "Python has no venv here"
         else do
-          -- It is large, and is not copied.
+          -- The program is large and therefore not copied.
           writeFile (folder </> "program") ("#!/bin/sh\nexec '" ++ program ++ "' \"$@\"\n")
           createDirectoryLink (top </> "data") (folder </> "data")
           createDirectoryLink (top </> "data/worked-example/frames") (folder </> "frames")
@@ -142,7 +142,7 @@ spec = do
       [] -> []
       _ : others -> let (block, after) = break (== "```") others in block : pythonIn after
 
--- | It is certified, under the default profiles if no others are given.
+-- | Expects that it is certified, under the default profiles if no others are given.
 certified :: [String] -> [String] -> Expectation
 certified options subject = do
   (status, out, err) <- praAlone (["conform", "--json"] ++ options ++ ["--"] ++ subject)
@@ -150,12 +150,13 @@ certified options subject = do
     `shouldBe` ("", [Just (Number 0), Just (Number 0), Just (Bool True)])
   status `shouldBe` 0
 
--- | It is certified by so many cases under the default profiles. In a quick run laws of each
--- operation hold under the paper's profile.
+-- | Expects that it is certified with this many cases under the default profiles. A quick run tries
+-- laws of each operation under the paper's profile.
 certifiedIn :: Int -> [String] -> Expectation
 certifiedIn count = certifiedBy ["--cases", show count]
 
--- | It is certified with these options; in a quick run laws of each operation hold, in a few cases.
+-- | Expects that it is certified with these options. A quick run tries laws of each operation, in a
+-- few cases.
 certifiedBy :: [String] -> [String] -> Expectation
 certifiedBy options = byEffort (heldAll ofEachOperation) (certified options)
   where
@@ -168,7 +169,8 @@ certifiedBy options = byEffort (heldAll ofEachOperation) (certified options)
       \window/pack-as-defined window/unpack-as-defined proof/prove-drawn-masks \
       \proof/distance-drawn-masks locate/drawn-patches damage/few-cells chances/bayes"
 
--- | So many cases of each law under the default profiles, or a few under the paper's.
+-- | Options for this many cases of each law under the default profiles, or in a quick run a few
+-- under the paper's.
 underSome :: Int -> [String]
 underSome count =
   byEffort
@@ -181,7 +183,7 @@ drawnLaws =
   "--cases 3 --run field/negation-as-defined --run sequence/terms-of-any-index \
   \--run locate/drawn-patches --run chances/bayes"
 
--- | A process that is given one request, and no session, answers it and ends well.
+-- | Expects that a process with one request and no session answers it and ends with success.
 answersAlone :: FilePath -> [String] -> Expectation
 answersAlone program arguments = do
   profile <- readFile "examples/adapter/paper.json"
@@ -192,12 +194,12 @@ answersAlone program arguments = do
   (status, err, map (`key` out) [["sequence"], ["result"]])
     `shouldBe` (ExitSuccess, "", [Just (Number 7), Just (Number 1)])
 
--- | The options of a process a request, which a busy machine may take long to start.
+-- | The options for a process per request, which a busy machine may be slow to start.
 inOneShot :: String -> [String]
 inOneShot options =
   words ("--one-shot --timeout 60 --profile examples/adapter/paper.json " ++ options)
 
--- | Some laws were tried, and all of these held.
+-- | Expects that some laws were tried and that all of these held.
 heldAll :: [String] -> [String] -> Expectation
 heldAll options subject = do
   (status, out, err) <- praAlone (["conform", "--json"] ++ options ++ ["--"] ++ subject)
@@ -205,7 +207,7 @@ heldAll options subject = do
     `shouldBe` (0, "", [Just (Number 0), Just (Number 0)])
   key ["held"] out `shouldSatisfy` (/= Just (Number 0))
 
--- | It answers all test vectors as they say; in a quick run those of the paper's profile.
+-- | Expects the answers of all test vectors; in a quick run of those of the paper's profile.
 passesVectors :: [String] -> Expectation
 passesVectors subject = withPython $ \python -> do
   let given = "test/data/run_vectors.py" : byEffort "paper" "*" : subject
@@ -214,7 +216,7 @@ passesVectors subject = withPython $ \python -> do
   filter (`notElem` ['0' .. '9']) (concat (lines out)) `shouldBe` ""
   (read out :: Int) `shouldSatisfy` (> byEffort 1000 10000)
 
--- | With the decoder in C, built in a folder of its own, if there is a compiler.
+-- | Runs an action with the decoder in C, built in a new folder, if there is a compiler.
 withDecoder :: (Maybe FilePath -> IO ()) -> IO ()
 withDecoder test = do
   compiler <- findExecutable "cc"

@@ -1,7 +1,7 @@
 {-# LANGUAGE OverloadedStrings #-}
 
--- | What the formats write, they read: the same value; and what is none of theirs is refused, with
--- the cause and the place.
+-- | Tests that the formats read what they write as the same value, and refuse everything else with
+-- its cause and place.
 module Test.Formats (spec) where
 
 import Control.Exception (evaluate)
@@ -37,12 +37,12 @@ import Test.Support (ofDrawn)
 
 spec :: Spec
 spec = do
-  describe "what is written is read again" roundTrips
-  describe "what is none of it is refused" refusals
+  describe "written values are read again" roundTrips
+  describe "invalid inputs are refused" refusals
 
 roundTrips :: Spec
 roundTrips = do
-  it "whole numbers that a double may round are written as text: from 2^53 on, either way" $
+  it "whole numbers that a double may round (magnitude 2^53 or more) are written as text" $
     forM_
       [ (n, abs n >= 2 ^ (53 :: Int))
         | e <- [0, 1, 52, 53, 54, 80 :: Int],
@@ -55,14 +55,14 @@ roundTrips = do
   prop "decodeProfile . encodeProfile = Right" $
     forAll someProfile $ \profile ->
       decodeProfile (encodeProfile profile) === Right profile
-  prop "decodeCertificate . encodeCertificate = Right, with its seal whole" $
+  prop "decodeCertificate . encodeCertificate = Right, with an intact seal" $
     forAll someCertificate $ \certificate ->
       decodeCertificate (encodeCertificate certificate) === Right (CertificateFile certificate True)
   prop "a certificate under the seal of another one has a broken seal" $
     forAll ((,) <$> someCertificate <*> someCertificate) $ \(one, other) ->
       one /= other
         ==> fmap fileSealed (decodeCertificate (sealedAs one other)) === Right False
-  it "the seal is of the numbers, however they are written: 1, 1.0, 10e-1 and 1e0 are one"
+  it "the seal depends on values, not on notation: 1, 1.0, 10e-1 and 1e0 have one seal"
     . ofDrawn 1 someCertificate
     $ \certificate -> do
       let sealed = encodeCertificate certificate {certificatePeriod = 1200, certificateWindows = 7}
@@ -100,7 +100,7 @@ roundTrips = do
                 (abs (regionAngle (truthRegion read') - regionAngle (truthRegion truth)) < 1e-9),
               counterexample (show read') (cornerOf read' `near` cornerOf truth)
             ]
-  it "the claim in the answer about the worked example is the paper's: C2 of C1 C2 C3 C4" $ do
+  it "the claim in the answer to the worked example is the paper's: C2 of C1 C2 C3 C4" $ do
     folder <- readFolder "data/worked-example/frames" >>= right
     recognition <- right (canonicalRecogniser >>= (`decodeFolder` folder))
     let source =
@@ -117,7 +117,7 @@ roundTrips = do
     decodeRecognition (encodeRecognition report) `shouldBe` Right report
     decodeClaim (encodeRecognition report)
       `shouldBe` Right (Just (Claim top identity (25.4, 95.25) (1.5, -2.5) (reportAngle report)))
-  it "objects are written with all of their vertices, edges and faces, as the solid has them" $ do
+  it "objects are written with all vertices, edges and faces of their solid" $ do
     layout <- right canonicalPlacement
     let parsed = fields (encodeObjects canonicalProfile layout)
         solids = placementSolids layout
@@ -152,7 +152,7 @@ roundTrips = do
                        )
                    ]
   where
-    -- With the period, which is 1200, written so.
+    -- With the period, which is 1200, written in another form.
     rewritten text bytes =
       let (before', rest) = Bytes.breakSubstring period bytes
        in before' <> "\"period\":" <> text <> Bytes.drop (Bytes.length period) rest
@@ -168,7 +168,7 @@ roundTrips = do
 refusals :: Spec
 refusals = do
   it
-    "a number of a billion digits beside a certificate breaks its seal, and is not written out"
+    "a number of a billion digits beside a certificate breaks its seal, and is not expanded"
     . ofDrawn 1 someCertificate
     $ \certificate -> do
       let text = encodeCertificate certificate
@@ -176,7 +176,7 @@ refusals = do
           sealed = fmap fileSealed . decodeCertificate
       sealed text `shouldBe` Right True
       timeout 5000000 (evaluate (sealed spoilt == Right False)) `shouldReturn` Just True
-  it "a key that is missing of an answer, unless answers without it may be"
+  it "an answer without a key is refused, unless the key is optional"
     . ofDrawn 1 ((,) <$> someRecognition <*> (encodeAnswer <$> someAnswer))
     $ \(recognition, answer) -> do
       let text = encodeRecognition recognition
@@ -186,7 +186,7 @@ refusals = do
       forM_ ["schema", "profile", "outcome", "position", "positions", "message", "chance"] $ \key ->
         (key, isLeft (decodeAnswer (written (KeyMap.delete key (fields answer)))))
           `shouldBe` (key, True)
-  it "a key that is missing, or null, of a profile, a certificate and a truth"
+  it "a profile, certificate or truth with a missing or null key is refused"
     . ofDrawn 1 ((,,) <$> someTruth <*> someProfile <*> someCertificate)
     $ \(askew, profile, certificate) -> do
       let truth = askew {truthRegion = (truthRegion askew) {regionAngle = 0}, truthBend = Nothing}
@@ -227,7 +227,7 @@ refusals = do
           Left why ->
             (quarter, degrees, why, degrees < 0 || degrees >= 360 || apart > 45)
               `shouldBe` (quarter, degrees, Misfit [Key "angle_deg"] NotAngle, True)
-  it "a truth's region has sides of up to 100000 taxels, its cylinder a radius of 10^9 mm"
+  it "a truth's region has sides of up to 100000 taxels, and its cylinder a radius of up to 10^9 mm"
     . ofDrawn 1 (encodeTruth <$> someTruth)
     $ \truth -> do
       forM_ [(w, h) | w <- [0, 1, 99999, 100000], h <- [0, 1, 99999, 100000]] $ \(w, h) ->
@@ -237,7 +237,7 @@ refusals = do
           `shouldBe` Right (w, h)
       let widest = object ["radius_mm" .= (1e9 :: Double), "axis" .= ("x" :: String)]
       decodeTruth (changed "bend" widest truth) `shouldSatisfy` isRight
-  it "what is no JSON, and no census file" $ do
+  it "malformed JSON and malformed census files are refused" $ do
     decodeProfile "{" `shouldBe` Left (JsonRefused NotJson)
     decodeTruth " " `shouldBe` Left (JsonRefused NoText)
     decodeClaim "\255" `shouldBe` Left (JsonRefused NotUtf8)
@@ -310,7 +310,7 @@ sealedAs one other = case KeyMap.lookup "seal" (fields (encodeCertificate one)) 
   Just seal -> changed "seal" seal (encodeCertificate other)
   Nothing -> ""
 
--- | Of any size: below and above what JSON numbers are read exactly to.
+-- | Numbers of any size, below and above the limit to which JSON numbers are read exactly.
 someNatural :: Gen Natural
 someNatural = fromInteger <$> oneof [choose (0, most) | most <- [9, 2 ^ n, 2 ^ (2 * n)]]
   where

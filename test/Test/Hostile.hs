@@ -1,8 +1,8 @@
 {-# LANGUAGE OverloadedStrings #-}
 
--- | Hostile inputs: whatever is put in, there is an answer or a refusal in words, soon and in
--- little memory; and what is accepted obeys the laws. A hundredth of the inputs are
--- runs of the program.
+-- | Tests hostile inputs. Whatever is put in, there is an answer or a refusal in words, soon and in
+-- little memory; and accepted inputs obey the laws. One in a hundred inputs is a run of the
+-- program.
 module Test.Hostile (spec) where
 
 import Control.Monad (forM_)
@@ -39,7 +39,7 @@ spec = modifyMaxSize (const 60) $ do
         )
         $ \specimens -> withMaxSuccess (shareOf (kindShare kind)) $
           forAllShrinkShow (hostile (length specimens)) lessHostile (shownOf specimens) $
-            -- The bytes are there first, so that what it takes to make them does not count.
+            -- The bytes are made first, so that making them is not measured.
             \given ->
               let bytes = specimenOf specimens given
                in bytes `seq` judgedIn (kindJudged kind bytes)
@@ -60,7 +60,7 @@ spec = modifyMaxSize (const 60) $ do
                 commandName command `elem` ["check", "locate"]
             ]
       results `shouldBe` [["FILE"], ["PATCH"]]
-    it "arguments: every list is understood or refused, in words, soon and in little memory" $
+    it "every argument list is understood or refused in words, soon and in little memory" $
       withMaxSuccess (shareOf 150) $
         forAllShrink
           (argumentList valueFor commandsOfHelp)
@@ -84,9 +84,9 @@ spec = modifyMaxSize (const 60) $ do
       Accepted _ _ -> True
       Refused _ -> False
 
--- | What hostile inputs have found, each with its story.
+-- | Defects that hostile inputs have found, each with its story.
 foundSpec :: Spec
-foundSpec = describe "what was found so" $ do
+foundSpec = describe "found by hostile inputs" $ do
   it "a wrong argument of 130 000 letters: its neighbours were sought for 18 seconds" $
     once $
       conjoin (map (judgedBy . judgedArguments) [[longWord], ["locate", "--" ++ longWord]])
@@ -97,7 +97,7 @@ foundSpec = describe "what was found so" $ do
           | kind <- kinds,
             kindName kind == "certificates"
         ]
-  it "two patches far apart: the rectangle around them was built, cell by cell, and took 340 MB" $
+  it "two patches far apart: the rectangle around them was built cell by cell and took 340 MB" $
     once $
       conjoin
         [ judgedIn (kindJudged kind text)
@@ -110,7 +110,7 @@ foundSpec = describe "what was found so" $ do
                 \{\"at\":[0,500000],\"cells\":[[1,1]]}]}"
               ]
         ]
-  it "very many patches: those that do not belong took the cube of their number" $
+  it "very many patches: finding those that do not belong took the cube of their number" $
     once $
       conjoin
         [ judgedIn (kindJudged kind (Bytes.intercalate " ; " (replicate count "0,3: 1 1 / 1 1")))
@@ -138,11 +138,11 @@ foundSpec = describe "what was found so" $ do
           | kind <- kinds,
             kindName kind `elem` ["profiles", "certificates"]
         ]
-  it "+RTS is an argument as any other, and its error is told in words of our own" $ do
+  it "+RTS is an argument like any other, and its error is in our own words" $ do
     found <- ran (Run ["array", "+RTS", "-p"] "" [])
     (ranStatus found, ranOutput found) `shouldBe` (Just 2, "")
     Bytes8.lines (ranError found) `shouldSatisfy` all ("pra-tactile: " `Bytes.isPrefixOf`)
-  it "JSON that is not what it should be is told by its place, not in the words of a library" $
+  it "JSON of the wrong form is refused with its place, not in the words of a library" $
     sequence
       [ kindJudged kind text
         | kind <- kinds,

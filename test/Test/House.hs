@@ -1,5 +1,5 @@
--- | What neither the compiler nor cabal keeps: within one library, definitions do not rest on what
--- is held to them.
+-- | Tests a rule that neither the compiler nor cabal enforces: the conformance definitions do not
+-- import what they are compared with.
 module Test.House (spec) where
 
 import Data.Char (isUpper)
@@ -12,10 +12,10 @@ import Test.Hspec
 spec :: Spec
 spec = do
   for_ ofThePackage $ \(name, known) ->
-    it (name ++ " imports of the package " ++ nothingBut known) $ do
+    it (name ++ " imports from this package " ++ nothingBut known) $ do
       found <- importsUnder name
       filter (not . among known) (filter (among ["PraTactile"]) (map fst found)) `shouldBe` []
-  it "the conformance definitions import types alone of the library" $ do
+  it "the conformance definitions import only types from the library" $ do
     found <- importsUnder "PraTactile.Conformance.Definition"
     filter beyondTypes found `shouldBe` []
   where
@@ -36,7 +36,7 @@ ofThePackage =
     ("PraTactile.LinearCode", ["PraTactile.Field", "PraTactile.LinearCode"])
   ]
 
--- | What the modules of this name, or of its folder, import.
+-- | The imports of the modules of this name, or of its folder.
 importsUnder :: String -> IO [(String, [String])]
 importsUnder name = do
   files <- lines <$> readProcess "find" ["src", "-name", "*.hs"] ""
@@ -46,7 +46,7 @@ importsUnder name = do
   own `shouldSatisfy` (not . null)
   pure (concatMap importsOf own)
 
--- | What a module imports, each with the names that it lists.
+-- | The imports of a module, each with the names that it lists.
 importsOf :: String -> [(String, [String])]
 importsOf text = case break ("import " `isPrefixOf`) (lines text) of
   (_, []) -> []

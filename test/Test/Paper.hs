@@ -15,7 +15,7 @@ module Test.Paper
     vastArray,
     vastAlgebra,
 
-    -- * What an array has
+    -- * The parts of an array
     Cells,
     look,
   )
@@ -60,7 +60,7 @@ paperAlgebra = onPaper prepareAlgebra
 onPaper :: Show e => (ArrayOn GF4 -> Mask -> Either e a) -> Surface -> IO a
 onPaper make surface = make <$> paperOn surface <*> paperWindow >>= right
 
--- | Its 255 positions.
+-- | The 255 positions of the paper's array.
 everywhere :: [Position]
 everywhere = cellsOf paperShape
 

@@ -1,5 +1,5 @@
--- | What README.md and docs/how-to/library.md say of the library is done: their programs are run,
--- and the package is planned by cabal.
+-- | Tests what README.md and docs/how-to/library.md say of the library: their programs run, and
+-- cabal plans the package.
 module Test.Readme (spec) where
 
 import Data.List (isInfixOf, isPrefixOf)
@@ -14,7 +14,7 @@ import Test.Support
 
 spec :: Spec
 spec = beforeAll ((,) <$> linesOf "README.md" <*> linesOf "docs/how-to/library.md") $ do
-  it ("a program of ten lines or less prints what is printed there; the other " ++ verb) $
+  it ("a program of at most ten lines prints what is shown; the other " ++ verb) $
     \(readme, page) -> inFolder $ \folder -> do
       let (program, afterProgram) = fenced "```haskell" page
           (own, afterOwn) = fenced "```haskell" afterProgram
@@ -25,12 +25,12 @@ spec = beforeAll ((,) <$> linesOf "README.md" <*> linesOf "docs/how-to/library.m
       (null own, length commands) `shouldBe` (False, 2)
       writeFile (folder </> "Readme.hs") (unlines program)
       writeFile (folder </> "Own.hs") (unlines own)
-      -- To link the second one takes as long as the first: quickly, it has the types that it needs.
+      -- Linking the second program takes as long as the first: a quick run only checks its types.
       let second =
             byEffort
               [compiled "-fno-code" "Own"]
               (map (++ " > log") commands ++ [compiled "" "Own", "./Own"])
-          -- The first one reads a folder of the project.
+          -- The first program reads a folder of the project.
           script =
             [ "set -e",
               "project=$PWD",
@@ -75,7 +75,7 @@ spec = beforeAll ((,) <$> linesOf "README.md" <*> linesOf "docs/how-to/library.m
       (code, "(lib:files)" `isInfixOf` out, "hackage" `isInfixOf` (out ++ err))
         `shouldBe` (ExitSuccess, True, False)
   where
-    -- One of the libraries tells whether they come with GHC, as Debian's do.
+    -- One library shows whether the libraries come with GHC, as Debian's do.
     besideGhc act = do
       (_, listed, _) <- readProcessWithExitCode "ghc-pkg" (words "list --simple-output hmatrix") ""
       if "hmatrix" `isPrefixOf` listed

@@ -1,5 +1,5 @@
--- | The schemas in data/schemas: what every command prints obeys its schema, and what is spoilt
--- does not, by a validator that others wrote, the jsonschema package of Python.
+-- | Tests the schemas in data/schemas with a validator of others, Python's jsonschema: the output
+-- of every command obeys its schema, and spoilt output does not.
 module Test.Schemas
   ( spec,
     validated,
@@ -22,11 +22,11 @@ import Test.Support
 spec :: Spec
 spec = do
   beforeAll samples $ do
-    it "what each command prints obeys its schema" $ \printed ->
+    it "the output of each command obeys its schema" $ \printed ->
       validated printed >>= mapM_ (\found -> filter ((/= "good") . snd) found `shouldBe` [])
-    it "each schema refuses what is spoilt: a key too few, one too many, another type" $ \printed ->
+    it "each schema refuses spoilt output: a missing key, an extra key, another type" $ \printed ->
       spoilt printed >>= mapM_ (\found -> filter ((/= "good") . snd) found `shouldBe` [])
-    it "every form of output has a schema, and is among these samples" $ \printed -> do
+    it "every form of output has a schema and occurs in these samples" $ \printed -> do
       files <- filter (".json" `isSuffixOf`) <$> listDirectory ("data" </> "schemas")
       named <- formsOfSources
       filter (`notElem` map takeBaseName files) named `shouldBe` []
@@ -35,13 +35,13 @@ spec = do
     -- Tested where these are made.
     ofConformance = ["vectors"]
 
--- | Lines of JSON, each with the name of its schema, and what is wrong with it, or @good@. Nothing,
--- and the test pending, where there is no validator.
+-- | The faults of lines of JSON under the schemas of these names, or @good@. Without a validator
+-- there is no result, and the test is pending.
 validated :: [(String, String)] -> IO (Maybe [(String, String)])
 validated = validator []
 
--- | The same of all ways to spoil each line: @good@ if every one is refused. In a quick run each
--- way is tried on one line of each schema.
+-- | The results for all ways of spoiling each line: @good@ if the schema refuses every one. A quick
+-- run tries each way on one line of each schema.
 spoilt :: [(String, String)] -> IO (Maybe [(String, String)])
 spoilt = validator ("--spoil" : byEffort ["--once"] [])
 
@@ -68,7 +68,7 @@ validator options values = do
           (status, _, _) <- readProcessWithExitCode python ["-c", "import jsonschema"] ""
           pure (status == ExitSuccess)
 
--- | What commands print, with the names of the schemas.
+-- | The output of commands, with the names of the schemas.
 samples :: IO [(String, String)]
 samples = inFolder $ \folder -> do
   top <- getCurrentDirectory
@@ -88,12 +88,12 @@ samples = inFolder $ \folder -> do
           pure [(schema, text) | text <- lines out]
       )
   where
-    -- On a busy machine the processes of a one-shot subject take their time.
+    -- On a busy machine the processes of a one-shot subject are slow.
     shell folder script =
       ["120", "sh", "-c", "cd '" ++ folder ++ "'; pra() { pra-tactile \"$@\"; }; " ++ script]
 
--- | Scripts that print JSON of one form, in the order in which they are run. In each @pra@ is the
--- program. A quick run leaves out scripts that take long and print what others print.
+-- | Scripts that print JSON of one form, in the order in which they are run. @pra@ is the program.
+-- A quick run leaves out slow scripts whose form others print.
 commands :: [(String, String)]
 commands =
   concat
@@ -135,7 +135,7 @@ proofs =
     ("check", "sed 's/\"windows\":255/\"windows\":254/' c.json > d.json; pra check d.json --json")
   ]
 
--- | Arguments of @locate@: each outcome, by each road.
+-- | Arguments of @locate@: each outcome, by each decoder.
 locating :: [String]
 locating =
   [ "'3 2 / 3 1'",
@@ -275,7 +275,7 @@ touching =
     worked = "data/worked-example/frames"
     frame n = worked ++ "/frame_" ++ n ++ ".pgm "
 
--- | A report of a subject that is right, of one that is wrong, and of one that ends at once.
+-- | Reports of a right subject, of a wrong one, and of one that ends at once.
 conforming :: [(String, String)]
 conforming =
   [ ("conform-laws", "pra conform --list --json" ++ quickly),
@@ -296,9 +296,9 @@ conforming =
   where
     conform options subject = "pra conform --json " ++ options ++ " -- " ++ subject
     paper = " --profile examples/adapter/paper.json"
-    -- Otherwise the definition prepares all default profiles.
+    -- Without a profile the definition prepares all default profiles.
     quickly = byEffort paper ""
-    -- What is called python3 may be a script that takes longer than the interpreter to start.
+    -- What is called python3 may be a script that starts more slowly than the interpreter.
     python = "python=$(python3 -c 'import sys; print(sys.executable)'); "
     adapter = "\"$python\" -S examples/adapter/adapter.py"
     started =
@@ -306,7 +306,7 @@ conforming =
         ++ " > started; "
     ended = "sh -c 'read line; cat started' brief"
 
--- | Requests, and what this library and the example in Python reply.
+-- | Requests, and the replies of this library and of the example in Python.
 asking :: [(String, String)]
 asking =
   [ ("request", profile ++ "cat > requests <<END\n" ++ unlines requests ++ "END\ncat requests"),
@@ -328,7 +328,7 @@ asking =
     one = "{\"profile\": $profile, \"sequence\": 7, " ++ operation ("trace", "{\"a\": 2}") ++ "}"
     operation (name, input) = "\"operation\": \"" ++ name ++ "\", \"input\": " ++ input
 
--- | Each operation with an input, and some that are refused.
+-- | Each operation with an input, and some inputs that are refused.
 inputs :: [(String, String)]
 inputs =
   [ ("add", "{\"a\": 1, \"b\": \"2\"}"),
@@ -370,8 +370,8 @@ inputs =
     drawings = show [replicate 12 "####....", replicate 12 "....####"]
     rows = show [[1000 * (i * i + 2 * j) | i <- [0 .. 3]] | j <- [0 .. 3 :: Int]]
 
--- | The names of the forms of output in the sources: what stands between @pra-tactile/@ and a
--- slash, and what is given to @encodeSchema@.
+-- | The names of the forms of output in the sources: the text between @pra-tactile/@ and a slash,
+-- and the argument of @encodeSchema@.
 formsOfSources :: IO [String]
 formsOfSources = do
   files <- concat <$> mapM sourcesIn ["app", "src"]
@@ -379,7 +379,7 @@ formsOfSources = do
   where
     forms text = [name | mark <- marks, Just name <- map named (behind (Bytes.pack mark) text)]
     marks = ["\"pra-tactile/", "encodeSchema \"", "schema = \""]
-    -- What follows each place of a mark.
+    -- The texts that follow a mark.
     behind mark text
       | Bytes.null found = []
       | otherwise = rest : behind mark rest

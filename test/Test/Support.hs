@@ -1,4 +1,4 @@
--- | What tests of all parts need.
+-- | Helpers for tests of all parts.
 module Test.Support
   ( -- * Answers
     right,
@@ -32,22 +32,22 @@ import Test.QuickCheck
 right :: (HasCallStack, Show e) => Either e a -> IO a
 right = either (\e -> expectationFailure (show e) >> fail (show e)) pure
 
--- | The same in a property.
+-- | The answer in a property, or a failure that shows the refusal.
 whenRight :: (Show e, Testable p) => Either e a -> (a -> p) -> Property
 whenRight answer law = either (\e -> counterexample (show e) False) (property . law) answer
 
--- | A property holds in this many cases.
+-- | A property in this many cases.
 holds :: Testable p => Int -> p -> Expectation
 holds count p =
   quickCheckWithResult stdArgs {chatty = False, maxSuccess = count} p >>= \r ->
     if isSuccess r then pure () else expectationFailure (output r)
 
--- | Expectations of drawn values, in this many cases.
+-- | Expectations of random values, in this many cases.
 ofDrawn :: Show a => Int -> Gen a -> (a -> Expectation) -> Property
 ofDrawn count values law = withMaxSuccess count (forAll values (ioProperty . law))
 
--- | A file is read as a slow reader defines it, or refused for one of the reasons that this one
--- has; what is read is compared by this part of it.
+-- | Expects that a file is read as a slow reader defines it, or refused for one of that reader's
+-- reasons. This part of the result is compared.
 readAsDefined ::
   (Show file, Eq e, Show e, Eq a, Show a) =>
   (file -> Either [e] a) ->
@@ -62,11 +62,11 @@ readAsDefined defined reader part file =
       (Left e, Left causes) -> counterexample (show e) (e `elem` causes)
       (other, _) -> counterexample (show other) False
 
--- | The numbers from 0 that are less.
+-- | The numbers from 0 below this one.
 below :: (Enum n, Num n, Ord n) => n -> [n]
 below n = takeWhile (< n) [0 ..]
 
--- | Rows of this many.
+-- | Rows of this length.
 rowsOf :: Natural -> [a] -> [[a]]
 rowsOf w cells = case splitAt (fromIntegral w) cells of
   ([], _) -> []
@@ -81,11 +81,11 @@ signedArea :: [(Double, Double)] -> Double
 signedArea corners =
   sum [x * y' - x' * y | ((x, y), (x', y')) <- zip corners (drop 1 (cycle corners))] / 2
 
--- | The lines with the one of this number, from 1, changed.
+-- | The lines with the line of this number, counted from 1, changed.
 onLine :: Int -> (a -> a) -> [a] -> [a]
 onLine i change ls = [if j == i then change line else line | (j, line) <- zip [1 ..] ls]
 
--- | The text with the second one in place of the first one, where that is first in it.
+-- | The text with its first occurrence of one text replaced by another.
 firstReplaced :: String -> String -> String -> String
 firstReplaced from to text
   | take (length from) text == from = to ++ drop (length from) text
@@ -93,6 +93,6 @@ firstReplaced from to text
     c : rest -> c : firstReplaced from to rest
     [] -> []
 
--- | With a folder of its own, removed afterwards.
+-- | Runs an action with a new folder, which is removed afterwards.
 inFolder :: (FilePath -> IO a) -> IO a
 inFolder = withSystemTempDirectory "pra-tactile"

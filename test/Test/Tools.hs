@@ -1,4 +1,4 @@
--- | What stands around the program: completions, manual pages and installing.
+-- | Tests completions, manual pages and installing.
 module Test.Tools (spec) where
 
 import Control.Monad (filterM, forM)
@@ -19,7 +19,7 @@ spec = do
   completionSpec
   installSpec
 
--- | What completes the last of these words.
+-- | The completions of the last of these words.
 completions :: [String] -> IO [String]
 completions typed = do
   (_, out, _) <-
@@ -47,7 +47,7 @@ fixedValues =
 
 completionSpec :: Spec
 completionSpec = describe "completion" $ do
-  it "of a value by its first letters" $ do
+  it "finds a value by its first letters" $ do
     completions ["array", "--format", "s"] `shouldReturn` ["svg"]
     completions ["probe", "--object", "p"] `shouldReturn` ["parallelepiped"]
     completions ["probe", "--turn", "9"] `shouldReturn` ["90"]
@@ -61,12 +61,12 @@ completionSpec = describe "completion" $ do
           (\value -> (\(status, _, _) -> status == 2) <$> pra (command ++ [option, value]))
           offered
       refused `shouldBe` []
-  it "of a file's and a folder's name" $ do
+  it "finds the names of files and folders" $ do
     completions ["decode", "data/worked"] `shouldReturn` ["data/worked-example"]
     completions ["stitch", "data/worked"] `shouldReturn` ["data/worked-example"]
     completions ["check", "data/check_c"] `shouldReturn` ["data/check_certificate.py"]
     completions ["stitch", "data/check"] `shouldReturn` []
-  it "in bash, by the script that is installed" $
+  it "works in bash, by the installed script" $
     withShell "bash" $ \bash -> do
       (_, script, _) <- pra ["--bash-completion-script", "pra-tactile"]
       let typed =
@@ -97,8 +97,8 @@ longOptions text = case text of
   where
     ofName c = isAlphaNum c || c == '-'
 
--- | The manual pages in a folder are one for the program and one a command, each with every option
--- that its help names.
+-- | Expects that the manual pages in a folder are one for the program and one for each command,
+-- with every option in its help.
 completeManual :: FilePath -> Expectation
 completeManual folder = do
   commands <- commandsOfHelp
@@ -128,7 +128,7 @@ completeManual folder = do
 
 installSpec :: Spec
 installSpec = describe "installing" $
-  it "puts program, whole manual and completions under DESTDIR and PREFIX; and takes them away" $
+  it "puts program, whole manual and completions under DESTDIR and PREFIX, and removes them" $
     inFolder $ \folder -> do
       program <- fromMaybe "pra-tactile" <$> findExecutable "pra-tactile"
       let run what =

@@ -1,6 +1,6 @@
--- | The definition of the conformance suite where no law compares it with the library: against
--- slower definitions, under foldings and surfaces that no profile of the suite has together, and on
--- which profiles are possible.
+-- | Tests the definition of the conformance suite where no law compares it with the library:
+-- against slower definitions, under combinations of folding and surface that no profile of the
+-- suite has, and on which profiles are possible.
 module Test.Conformance.Definition (spec) where
 
 import Control.Monad (filterM)
@@ -22,16 +22,16 @@ import Test.Hspec
 spec :: Spec
 spec = do
   for_ (byEffort [] ["gf2-3x5"] ++ ["gf3-2x13", "gf9-5x16"]) $ \name ->
-    it ("all laws hold of the library under " ++ name ++ ", folded either way on every surface") $
+    it ("the library holds all laws under " ++ name ++ ", with every folding on every surface") $
       lawsFailing [(name, p) | p <- variants name] library `shouldReturn` []
-  it "the distance is the least of all pairs" $
+  it "the distance is the least distance between any two windows" $
     for_ ["paper", "gf2-3x5-row-major", "gf3-2x13", "gf9-5x16"] $ \name ->
       for_ (underName name) $ \k ->
         for_ [["##", "##"], ["###"], ["#.#", ".#."], ["##", "##", "##"], ["#", "#", "#"]] $ \mask ->
           expected k (Distance :? mask) `shouldBe` Right (leastOfPairs k mask)
   it "the probabilities of a patch as large as the array are numbers that add up to 1" $
     for_ (underName "paper") $ \k -> do
-      -- The products of 255 of these, in 64ths, are beyond all doubles.
+      -- A product of 255 of these, in 64ths, exceeds the range of a double.
       let felt r c =
             Probably
               [ if Right code == expected k (Cell :? Position r c) then 61 / 64 else 1 / 64
@@ -44,8 +44,8 @@ spec = do
           abs (sum (map snd chances) - 1) `shouldSatisfy` (< 1e-12)
           [p | (Position 0 0, p) <- chances] `shouldSatisfy` all (> 0.999999)
           length [() | (Position 0 0, _) <- chances] `shouldBe` 1
-  it "an array of a polynomial of degree 1, whose windows are single cells" $ do
-    -- x + 3 has the root 2, of which the powers modulo 5 are 1, 2, 4, 3.
+  it "an array of a polynomial of degree 1 has windows of a single cell" $ do
+    -- x + 3 has the root 2, whose powers modulo 5 are 1, 2, 4, 3.
     let powers =
           canonicalProfile
             { profileOrder = 5,
@@ -58,13 +58,13 @@ spec = do
     fmap (\k -> traverse (expected k . (Cell :?) . Position 0) [0 .. 3]) (known powers)
       `shouldBe` Right (Right [1, 2, 4, 3])
     lawsFailing [("powers", powers)] library `shouldReturn` []
-  it "the library opens the profiles that the definition does" (openedOtherwise `shouldReturn` [])
+  it "the library and the definition open the same profiles" (openedOtherwise `shouldReturn` [])
 
 underName :: String -> [Known]
 underName name =
   [k | (given, profile) <- defaultProfiles, given == name, Right k <- [known profile]]
 
--- | In how many cells two windows on the folding's own surface differ, of all pairs the least.
+-- | The least number of cells in which two windows differ on the folding's own surface.
 leastOfPairs :: Known -> [String] -> Natural
 leastOfPairs k mask =
   minimum
@@ -81,8 +81,8 @@ leastOfPairs k mask =
           (j, '#') <- zip [0 ..] line
       ]
 
--- | A default profile with each folding on each surface; in a quick run with each folding, and on
--- each surface, but not with all of these together.
+-- | A default profile with each folding on each surface. A quick run takes each folding and each
+-- surface, but not every pair.
 variants :: String -> [Profile]
 variants name =
   [ profile {profileFolding = folding, profileSurface = surface}
@@ -94,7 +94,7 @@ variants name =
     foldings = [minBound .. maxBound]
     surfaces = [Torus, TwistedTorus, Sheet]
 
--- | The profiles that the library opens and the definition refuses, or the other way round.
+-- | The profiles that exactly one of the library and the definition opens.
 openedOtherwise :: IO [Profile]
 openedOtherwise = filterM (fmap not . alike) oddProfiles
   where
@@ -105,7 +105,7 @@ openedOtherwise = filterM (fmap not . alike) oddProfiles
         (Left (Refusal reason), Left NoArray) -> reason == "impossible-profile"
         _ -> False
 
--- | The paper's profile with one convention or two changed, to possible ones and others.
+-- | The paper's profile with one or two conventions changed; some of the results are impossible.
 oddProfiles :: [Profile]
 oddProfiles =
   concat

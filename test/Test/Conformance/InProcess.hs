@@ -1,7 +1,8 @@
 {-# LANGUAGE GADTs #-}
 {-# LANGUAGE RankNTypes #-}
 
--- | Which profile is in force in this process, what is not offered, and what laws of profiles say.
+-- | Tests an implementation in this process: which profile is in force, which operations it does
+-- not offer, and how laws of profiles judge it.
 module Test.Conformance.InProcess (spec) where
 
 import Control.Monad (forM, forM_)
@@ -26,7 +27,7 @@ import Test.Hspec
 
 spec :: Spec
 spec = do
-  it "who has no operation refuses each as not offered, and what is no input as invalid" $ do
+  it "an implementation of nothing refuses valid inputs as not-offered, and others as invalid" $ do
     map (operationIn . exampleOf) allOperations `shouldBe` allOperations
     forM_ (map exampleOf allOperations) $ \(SomeQuestion question) -> do
       let session = answering (const notOffered)
@@ -40,7 +41,7 @@ spec = do
       Right about <- pure (known possible)
       (operation, either refusalReason (const "") (expected about question) == "not-offered")
         `shouldBe` (operation, ofFrames)
-  it "in this process a profile is in force until another is asked for; touch needs none" $ do
+  it "a profile stays in force in this process until another is requested; touch needs none" $ do
     opened <- newIORef []
     subject <-
       inProcess
@@ -53,7 +54,7 @@ spec = do
       `shouldBe` ("mine", [SomeOp Term, SomeOp Add], 64)
     (subjectUnknown subject, length (subjectChecks subject)) `shouldBe` ([], 0)
     let sum' = subjectAsk subject [SomeQuestion (Add :? (1, 1)), SomeQuestion (Add :? (1, 0))]
-        -- Not by replicate: of such a text, given once, GHC 9.0.2 makes another.
+        -- Written twice, because GHC 9.0.2 makes a different text of one that replicate repeats.
         none = map (Right . ResponseErrored) ["no profile is in force", "no profile is in force"]
         sums = map (Right . ResponseResult . toJSON) [0, 1 :: Int]
         blank = replicate 4 (replicate 4 0)
@@ -65,7 +66,7 @@ spec = do
     subjectProfile subject impossible `shouldReturn` Right (ResponseRefused "impossible-profile")
     sum' `shouldReturn` none
     reverse <$> readIORef opened `shouldReturn` [possible, impossible]
-  it "in this process an answer is computed to its end, a reason too; what throws ends a batch" $ do
+  it "answers and reasons are evaluated in full in this process; an exception ends the batch" $ do
     let session = answering $ \question -> case question of
           Terms :? (_, count) -> pure (if count == 2 then [1, error "no such term"] else [count])
           Term :? i -> refuse (if i == 2 then "be" ++ error "no such reason" else "because")
@@ -85,8 +86,8 @@ spec = do
       `shouldReturn` [Right (ResponseRefused "because"), Left (Crashed, ["no such reason"])]
     came [SomeQuestion (Terms :? (0, 3)), SomeQuestion (Term :? 1)]
       `shouldReturn` [three, Right (ResponseRefused "because")]
-  it "laws of profiles hold if possible ones are opened and others refused, for that reason" $ do
-    -- One of them asks questions as well.
+  it "laws of profiles hold if possible profiles open and others are refused as impossible" $ do
+    -- One of these laws asks questions as well.
     let openings = filter ((/= "profile/profiles-return") . lawId) openingLaws
     verdicts <- forM openings $ \one -> case lawCases one (map snd defaultProfiles) of
       Cases form (Every cases) trial ->
@@ -109,7 +110,7 @@ spec = do
                          else Just ([Exchange Nothing profile' (reply came)], reply right')
                      )
         (came == right', verdict == Holds) `shouldBe` (verdict == Holds, came == right')
-  it "a suite is about profiles that describe arrays; the first that does not is named" $ do
+  it "a suite needs profiles that describe arrays, and names the first that does not" $ do
     let under = [("one", possible), ("two", other)]
         failure = either Just (const Nothing)
     failure (standardSuite (under ++ [("three", impossible), ("four", impossible)]))

@@ -1,5 +1,5 @@
--- | The conformance laws: they hold of the library, and of the definition; and each of them finds
--- an impostor.
+-- | Tests the conformance laws: the library and the definition satisfy them, and each law finds an
+-- impostor.
 module Test.Conformance.Laws (spec, lawsFailing, lawsFailingOf) where
 
 import Data.Aeson (encode, toJSON)
@@ -47,7 +47,7 @@ spec = do
         library
     it "of this library's objects" $
       failingWith patient {settingStages = objectStages, settingCases = byEffort 5 100} library
-    whenFull . it "of this library's reports on solids, a hundred of each defect" $
+    whenFull . it "of this library's reports on solids, with a hundred examples of each defect" $
       failingWith
         patient
           { settingStages = objectStages,
@@ -55,10 +55,10 @@ spec = do
             settingCases = 1900
           }
         library
-  it "laws have ids of their own" $ do
+  it "no two laws have the same id" $ do
     let ids = map lawId openingLaws ++ map lawId laws ++ map lawId lawsWithoutProfile
     ids \\ nub ids `shouldBe` []
-  it "without a stage no law of touch is tried, and no operation of touch counts" $ do
+  it "a run without a touch stage tries no law of touch and counts no operation of touch" $ do
     suite <- either (fail . noSuiteText) pure (standardSuite (take 1 defaultProfiles))
     subject <- inProcess library
     let first' = standardSettings {settingRun = ["field/addition-commutes", "register/"]}
@@ -66,28 +66,28 @@ spec = do
     map lawReportStage (reportLaws report) `shouldSatisfy` notElem OnRegister
     length (reportAsks report) `shouldBe` 19
     reportOffers report `shouldBe` reportAsks report
-  it "where a law exhausts its domain, no question is asked twice under the paper's profile" $ do
+  it "a law that exhausts its domain asks no question twice under the paper's profile" $ do
     Just (Right about) <- pure (known <$> lookup "paper" defaultProfiles)
     let repeats (Cases form domain _) = case domain of
           Every cases ->
             length cases /= Set.size (Set.fromList (map (encode . writeValue form) cases))
           Some _ _ -> False
     [lawId law | law <- laws, repeats (lawCases law about)] `shouldBe` byTwoRoads
-  it "of a value of more than 200 characters the first 160 and the last 30 are shown" $
+  it "a value of more than 200 characters is shown by its first 160 and its last 30" $
     for_ ([0 .. 20] ++ [190 .. 260] ++ [1000]) $ \count -> do
       let written = '"' : take count (cycle ['a' .. 'z']) ++ "\""
           long = length written
           ending = reverse (take 30 (reverse written)) ++ " (" ++ show long ++ " characters)"
       valueText (toJSON (drop 1 (init' written)))
         `shouldBe` if long <= 200 then written else take 160 written ++ " ... " ++ ending
-  it "impostors each have a name and a mistake of their own" $ do
+  it "each impostor has its own name and its own mistake" $ do
     map impostorName impostors \\ nub (map impostorName impostors) `shouldBe` []
     map impostorMistake impostors \\ nub (map impostorMistake impostors) `shouldBe` []
   describe ("each law finds " ++ byEffort "the first" "every" ++ " impostor listed for it") $
     for_ (map lawId openingLaws ++ map lawId laws ++ map lawId lawsWithoutProfile) killing
   where
     init' text = take (length text - 1) text
-    -- Laws that come to the same question in two ways.
+    -- Laws that reach the same question in two ways.
     byTwoRoads =
       [ "locate/across-the-edges",
         "damage/zeros",
@@ -95,16 +95,16 @@ spec = do
         "damage/nearest-refuses-what-is-invalid",
         "chances/doubtful-cells"
       ]
-    -- The paper's; two rows over a prime field; row by row, on the twisted torus; an odd power,
-    -- read and packed the other way, on a sheet.
+    -- The paper's profile; two rows over a prime field; row by row on the twisted torus; an odd
+    -- power, read and packed the other way, on a sheet.
     varied = ["paper", "gf3-2x13", "gf2-3x5-row-major", "gf49-16x3-sheet"]
     named names = [(name, p) | name <- names, Just p <- [lookup name defaultProfiles]]
-    -- Laws of pairs of frames say the same, and take less.
+    -- Laws of pairs of frames cover the same in less time.
     stitchedAlike = map ("stitch/" ++) ["order", "moved", "gain-and-offset", "turned-and-mirrored"]
     isSmall = (<= 1024) . area . profileShape . snd
     small = filter isSmall defaultProfiles
-    -- Definitions take a time that grows faster than the array: of a large one a quick run tries
-    -- where its cells are, and what is found there.
+    -- Definitions take time that grows faster than the array. For a large array a quick run tries
+    -- only where its cells are and what is found there.
     briefly under
       | isSmall under = patient
       | otherwise =
@@ -114,22 +114,22 @@ spec = do
               byEffort ["sequence/term*", "array/*", "window/*", "locate/drawn-patches"] []
           }
 
--- | The laws that do not hold, which must be none.
+-- | Expects that no law fails.
 failing :: [(String, Profile)] -> Implementation -> Expectation
 failing profiles implementation = lawsFailing profiles implementation `shouldReturn` []
 
 failingWith :: Settings -> Implementation -> Expectation
 failingWith settings implementation = lawsFailingWith settings [] implementation `shouldReturn` []
 
--- | The laws of the code that do not hold of an implementation under these profiles.
+-- | The laws of the code that an implementation violates under these profiles.
 lawsFailing :: [(String, Profile)] -> Implementation -> IO [String]
 lawsFailing = lawsFailingWith patient
 
--- | The laws whose ids contain one of these texts and that do not hold of an implementation.
+-- | The laws whose ids contain one of these texts and that an implementation violates.
 lawsFailingOf :: [String] -> [(String, Profile)] -> Implementation -> IO [String]
 lawsFailingOf ids = lawsFailingWith patient {settingRun = ids}
 
--- | For as long as it takes, on a machine that has other things to do.
+-- | Settings without a limit of time, because the machine may be busy.
 patient :: Settings
 patient = standardSettings {settingLimit = 1 / 0, settingCases = byEffort 10 100}
 
@@ -140,8 +140,8 @@ lawsFailingWith settings profiles implementation = do
   report <- runSuite settings suite (const (pure ())) [subject]
   pure [lawReportId one | one <- reportLaws report, lawReportOutcome one `notElem` [Held, Skipped]]
 
--- | A law finds the impostors that are listed for it, the smallest profiles and few seeds first.
--- Which others it finds is told by @make mutants@.
+-- | Expects that a law finds the impostors listed for it, trying the smallest profiles and few
+-- seeds first. @make mutants@ shows which other impostors it finds.
 killing :: String -> Spec
 killing law = it law $ do
   let listed = filter ((law `elem`) . killersOf . impostorName) impostors

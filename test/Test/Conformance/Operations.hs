@@ -1,8 +1,8 @@
 {-# LANGUAGE GADTs #-}
 {-# LANGUAGE OverloadedStrings #-}
 
--- | The records of operations: their inputs and answers are read as they are written, malformed
--- ones are not, and refusals are for the reasons that are listed.
+-- | Tests the records of operations: written inputs and answers can be read again, malformed ones
+-- cannot, and each refusal has one of the listed reasons.
 module Test.Conformance.Operations (spec) where
 
 import Data.Aeson (Value (..), eitherDecodeFileStrict', encode, object, toJSON, (.=))
@@ -25,11 +25,11 @@ import Test.Hspec
 
 spec :: Spec
 spec = do
-  it "have names of their own, by which they are read" $ do
+  it "each operation has its own name, and is read by it" $ do
     map nameOf allOperations `shouldBe` nub (map nameOf allOperations)
     for_ allOperations $ \operation ->
       readValue operationForm (writeValue operationForm operation) `shouldBe` Right operation
-  it "docs/reference/protocol.md and data/schemas have them as their records have" $ do
+  it "docs/reference/protocol.md and data/schemas describe the operations as their records do" $ do
     page <- decodeUtf8 <$> Bytes.readFile "docs/reference/protocol.md"
     withOperations page `shouldBe` page
     for_ schemasOfOperations $ \name -> do
@@ -38,7 +38,7 @@ spec = do
   for_ allOperations $ \operation -> describe (nameOf operation) $ do
     let questions = filter (isTyped . snd) (questionsOf operation)
         inputOf (SomeQuestion question) = questionInput question
-    it "inputs are read as they are written, whatever other keys there are" $
+    it "an input is read as it was written, whatever other keys stand beside it" $
       for_ questions $ \(_, SomeQuestion question) -> do
         Object keys <- pure (questionInput question)
         for_ [keys, KeyMap.insert "other" Null keys] $ \given ->
@@ -47,7 +47,7 @@ spec = do
       for_ (take 40 questions) $ \(_, SomeQuestion question) ->
         [input | input <- malformedForms question, Just _ <- [someQuestion operation input]]
           `shouldBe` []
-    it "answers are read as they are written; refusals have a reason that is listed" $
+    it "an answer is read as it was written; a refusal has a listed reason" $
       for_ questions $ \(about, SomeQuestion question) ->
         for_ (maybe expectedWithoutProfile (\k -> Just . expected k) about question) $ \wanted ->
           case wanted of
@@ -61,11 +61,11 @@ spec = do
       for_ (take 1 questions) $ \(_, SomeQuestion question) ->
         for_ [Null, String "one", object ["other" .= Null], toJSON [[Null]]] $ \other ->
           (other, isNothing (readAnswer question other)) `shouldBe` (other, True)
-    it "smaller inputs come to an end" $
+    it "shrinking any input comes to an end" $
       for_ questions $ \(_, question) ->
         let steps = iterate (take 1 . concatMap smallerQuestions) [question]
          in length (take 1000 (takeWhile (not . null) steps)) `shouldSatisfy` (< 1000)
-  it "the shapes of a question about frames may be missing, but are nothing else than drawings" $
+  it "the shapes in a question about frames may be missing, but must be drawings if given" $
     for_
       [ SomeQuestion (Register :? (Just [["#.", ".#"], []], Pair [[1]] [[2]] (-4, -5) 1)),
         SomeQuestion (Stitch :? (Just [["#"]], 1, [Placed [[1]] (0, 0)]))
@@ -93,7 +93,7 @@ spec = do
       for_ (map exampleOf allOperations) $ \(SomeQuestion question) -> do
         let one = named (operationOf question) (questionInput question)
         again one `shouldBe` Just one
-      -- What is no input stays what it is.
+      -- Invalid inputs are not changed.
       for_ [Null, object [], Number 1] $ \input ->
         again (named (SomeOp Add) input) `shouldBe` Just (named (SomeOp Add) input)
       map
@@ -107,7 +107,7 @@ spec = do
           String "add"
         ]
         `shouldBe` replicate 7 Nothing
-  it "a probability is the same with other digits, also where the question's form is another" $
+  it "a probability keeps its value when it or its question is written in another form" $
     for_ (known <$> lookup "gf2-3x5" defaultProfiles) $ \about -> do
       [k] <- pure [k | Right k <- [about]]
       let input = object ["patch" .= [[Just (String "1"), Nothing]]]
@@ -120,7 +120,7 @@ spec = do
           agreed by = agrees k (Raw (SomeOp Posterior) input) wanted (off by wanted)
       (answerValue posed <$> readAnswer posed wanted) `shouldBe` Just wanted
       map agreed [0, 1e-18, 1e-12, 1e-6] `shouldBe` [True, True, True, False]
-  it "of a place exactly one is told: a position, several, or how many" $ do
+  it "an answer gives exactly one of: a position, several positions, or their number" $ do
     let at r c = object ["row" .= (r :: Int), "column" .= (c :: Int)]
         position = "position" .= at 1 2
         several = "positions" .= [at 1 2, at 3 4]
@@ -131,7 +131,7 @@ spec = do
     read' count `shouldBe` Just (Coset 5 6)
     map read' [[], [position, several], position : count, several : count, take 1 count]
       `shouldBe` replicate 5 Nothing
-  it "whether frames were registered is said twice, alike; axes are x and y" $ do
+  it "an answer states twice and alike whether frames were registered; axes are named x and y" $ do
     let registered outcome reason axes =
           readAnswer
             (Register :? (Nothing, Pair [] [] (0, 0) 0))
@@ -155,8 +155,8 @@ spec = do
       ]
       `shouldBe` replicate 4 Nothing
 
--- | Questions of an operation, with what is known of the profile under which they are asked: the
--- example, and under small profiles typical ones, refused ones, and those that vectors choose.
+-- | Questions of an operation, with the array of the profile under which they are asked: the
+-- example, and under small profiles typical questions, refused ones, and those chosen for vectors.
 questionsOf :: SomeOp -> [(Maybe Known, SomeQuestion)]
 questionsOf some@(SomeOp op) =
   [(Nothing, exampleOf some) | not under] ++ case recordOf op of

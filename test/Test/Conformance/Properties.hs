@@ -1,7 +1,7 @@
 {-# LANGUAGE OverloadedStrings #-}
 
--- | What is said and done of implementations that fail: by properties, where they throw, where they
--- start wrongly; and which answers of another form are the same.
+-- | Tests what is reported of implementations that fail as properties, that throw, or that start
+-- wrongly; and which answers in another form are equal.
 module Test.Conformance.Properties (spec) where
 
 import Control.Exception (AsyncException (..), throwIO)
@@ -31,9 +31,9 @@ import Test.QuickCheck.Random (mkQCGen)
 
 spec :: Spec
 spec = do
-  it "a property that fails says what was asked and answered, what should have been, and why" $ do
+  it "a property that fails shows what was asked, answered and expected, and why" $ do
     [one] <- pure [one | one <- impostors, impostorName one == "keeps-the-second-summand"]
-    -- The first one, as the definition takes its time to prepare all profiles.
+    -- The first profile only: the definition takes time to prepare them all.
     law : _ <- pure [p | (name, p) <- lawProperties (impostorMade one), ofAddition name]
     came <- quickCheckWithResult sameCases law
     let said = lines (output came)
@@ -45,7 +45,7 @@ spec = do
     right : _ <- pure [p | (name, p) <- lawProperties library, ofAddition name]
     held <- quickCheckWithResult sameCases right
     isSuccess held `shouldBe` True
-  it "what an implementation throws is its fault, and what others throw at it is not" $ do
+  it "an exception of an implementation is its fault; one thrown at it from outside is not" $ do
     suite <- either (fail . noSuiteText) pure (standardSuite (take 1 defaultProfiles))
     let throwing problem = library {open = \_ -> liftIO (throwIO problem)}
         settings = standardSettings {settingRun = ["field/addition-commutes"]}
@@ -55,10 +55,10 @@ spec = do
           pure [lawReportOutcome one | one <- reportLaws report, lawReportOutcome one /= Skipped]
     run (throwing (userError "broken")) `shouldReturn` [Errored]
     run (library {open = \_ -> liftIO (throwIO UserInterrupt)}) `shouldThrow` (== UserInterrupt)
-  it "to start, a process may be asked 1 to 4096 things at once" $
+  it "a process may ask at its start for 1 to 4096 requests at once" $
     map started [0, -3, 1, 64, 4096, 4097]
       `shouldBe` [Nothing, Nothing, Just 1, Just 64, Just 4096, Just 4096]
-  it "frames that are not square are registered, those larger than usual too" $
+  it "frames are registered even if they are not square or larger than usual" $
     for_ [(40, 33), (33, 40), (20, 12), (12, 20)] $ \(w, h) -> do
       let relief x y = sin (x * x / 40 + y / 3) + cos (y * y / 37 - x / 2) :: Double
           grey x y = round (30000 + 12000 * relief (fromInteger x) (fromInteger y))
@@ -68,17 +68,17 @@ spec = do
       let near (x, y) = max (abs (x - 5)) (abs (y - 1)) <= 0.5
       ((w, h), near . registeredBest <$> either (const Nothing) Just found)
         `shouldBe` ((w, h), Just True)
-  it "several places told by their number and dimension are the same places" $
+  it "a number of places with its dimension equals the list of these places" $
     for_ [about | (name, p) <- take 1 defaultProfiles, Right about <- [known p], name == "paper"] $
       \about -> do
-        -- Of a cell the rank is 1, and the degree 4.
+        -- The rank of a cell is 1, and the degree 4.
         let several = OneOf [Position 0 0, Position 1 2, Position 3 4]
             same = agrees about (Locate :? [[Just 1]])
         map (same several) [several, Coset 3 3, Coset 2 3, Coset 4 3, Coset 3 2]
           `shouldBe` [True, True, False, False, False]
         map (same several) [OneOf [Position 0 0], At (Position 0 0)] `shouldBe` [False, False]
         same (Coset 3 3) (Coset 3 3) `shouldBe` True
-  it "probabilities are the same to 10^-9, those left out being 0, of each position of the array" $
+  it "probabilities agree within 10^-9, left out means 0; positions are distinct and in the array" $
     for_ [about | (_, p) <- take 1 defaultProfiles, Right about <- [known p]] $ \about -> do
       let Shape n1 n2 = profileShape (knownProfile about)
           wanted = [(Position 0 0, 0.75), (Position (n1 - 1) (n2 - 1), 0.25)]
@@ -90,13 +90,13 @@ spec = do
       map (\d -> same wanted [(at, x + d) | (at, x) <- wanted]) [5e-10, -5e-10, 2e-9, -2e-9]
         `shouldBe` [True, True, False, False]
       same wanted (reverse wanted) `shouldBe` True
-      -- Twice the same position, and none of the array, whatever its probability.
+      -- A repeated position and one outside the array, whatever their probability.
       same wanted ((Position 0 0, 0.75) : wanted) `shouldBe` False
       for_ [Position n1 0, Position 0 n2, Position n1 n2, Position (n1 + 1) 0] $ \beyond ->
         same wanted ((beyond, 0) : wanted) `shouldBe` False
       for_ [Position (n1 - 1) 0, Position 0 (n2 - 1)] $ \inside ->
         same wanted ((inside, 0) : wanted) `shouldBe` True
-  it "of all laws in one call the status is 0 if they certify it, 1 if not, 2 without an array" $ do
+  it "one call runs all laws; its status is 0 if certified, 1 if not, 2 without an array" $ do
     let one = [under | under@(name, _) <- defaultProfiles, name == "gf2-3x5"]
         spoilt = [("spoilt", p {profileOrder = 6}) | (_, p) <- one]
         adding = library {offered = [SomeOp Add]}

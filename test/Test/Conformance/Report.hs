@@ -1,6 +1,6 @@
 {-# LANGUAGE OverloadedStrings #-}
 
--- | Reports that are made by hand: what is said of them in words, as JSON and as JUnit's XML, and
+-- | Tests reports made by hand: how they are written in words, as JSON and as JUnit's XML, and
 -- whether they certify.
 module Test.Conformance.Report (spec) where
 
@@ -31,7 +31,7 @@ spec = do
       `shouldBe` "what was chosen held: 2 held; 7 cases in 2.3 seconds"
     summaryLine right' {reportLaws = []} `shouldBe` "not certified: 0 held; 0 cases in 2.3 seconds"
     summaryLine right' {reportOffers = []} `shouldBe` "not certified: nothing is offered"
-  it "certified is what is offered, of which something held each, and nothing is wrong" $ do
+  it "an operation is certified if offered, if a law of it held, and if nothing is wrong" $ do
     certified right' `shouldBe` True
     for_
       [ right' {reportOffers = []},
@@ -49,7 +49,7 @@ spec = do
         `shouldBe` True
     uncovered right' {reportOffers = [SomeOp Add, SomeOp Term, SomeOp Negate]}
       `shouldBe` [SomeOp Negate]
-  it "in words: a heading, a line a stage, what failed, what else there is to say" $
+  it "the text has a heading, a line per stage, the failures, and the notes" $
     reportText ("try " ++) whole
       `shouldBe` unlines
         [ "subject: 2 operations of 3 offered, 2 profiles, seed 5",
@@ -85,14 +85,14 @@ spec = do
           "not certified: 2 held, 2 failed, 1 skipped, 2 errored, 1 known to fail; \
           \19 cases in 2.3 seconds"
         ]
-  it "in words: a failure that a fresh process does not show depends on earlier requests" $ do
+  it "the text says if a failure depends on earlier requests, unseen in a fresh process" $ do
     let one = failed "field/c" Nothing
         depends shown = shown {counterDepends = True}
         said =
           failureText id one {lawReportCounterexample = depends <$> lawReportCounterexample one}
     [line | line <- lines said, "  depends on" `isPrefixOf` line]
       `shouldSatisfy` all ("a fresh process that is asked this alone" `isInfixOf`)
-  it "in words: of ten failures all, of more the names, of more than five of these the first" $
+  it "the text shows the first ten failures, the names of five more, and the number of the others" $
     for_ [0, 1, 9, 10, 11, 12, 15, 16] $ \count -> do
       let names = ["field/" ++ show i | i <- [1 .. count :: Int]]
           report = whole {reportLaws = [failed name Nothing | name <- names]}
@@ -108,9 +108,9 @@ spec = do
                        ++ (if length hidden > 5 then " ..." else "")
                      | not (null hidden)
                    ]
-  it "as JSON: every count, and every law" $
+  it "the JSON has every count and every law" $
     decodeStrict (encodeReport whole) `shouldBe` Just json
-  it "as a badge: certified, what was chosen held, or how many laws are wrong, each once" $
+  it "as a badge: certified, what was chosen held, or the number of wrong laws, each once" $
     [ decodeStrict
         ( encodeBadge
             right' {reportLaws = some, reportPartial = partial, reportUnexpected = unexpected}
@@ -119,7 +119,7 @@ spec = do
           [ (reportLaws right', False, []),
             (take 1 (reportLaws right'), True, []),
             (take 1 (reportLaws right'), False, []),
-            -- A law holds that must fail.
+            -- A law that must fail holds.
             (take 1 (reportLaws right'), True, ["field/c"]),
             (failed "field/c" (Just "p") : reportLaws right', True, []),
             (errored "field/d" : [failed "field/c" (Just p) | p <- ["p", "q"]], False, [])
@@ -140,7 +140,7 @@ spec = do
                          ("2 laws wrong", "red")
                        ]
                  ]
-  it "in XML a character is itself, its name, or a question mark if XML has none of it" $ do
+  it "XML shows a character as itself, by its name, or as a question mark if XML has none" $ do
     let every =
           concat
             [['\0' .. '\x2FFF'], ['\xD7F0' .. '\xE010'], ['\xFFF0' .. '\x1000F'], [maxBound]]
@@ -157,10 +157,10 @@ spec = do
           Just name -> "&" ++ name ++ ";"
           Nothing -> [if allowed c then c else '?']
         names = zip "<>&\"\t\n\r" ["lt", "gt", "amp", "quot", "#9", "#10", "#13"]
-    -- The text has a line end in it only where an element ends.
+    -- The text has the end of a line only where an element ends.
     [line | line <- lines text, "<failure" `isPrefixOf` line]
       `shouldBe` ["<failure message=\"sentence\">" ++ concatMap written every ++ "</failure>"]
-  it "as JUnit's XML: a suite a profile with its counts, a case a law" $
+  it "JUnit's XML has one suite per profile with its counts, and one case per law" $
     junitText lawReportId whole
       `shouldBe` unlines
         [ "<?xml version=\"1.0\" encoding=\"UTF-8\"?>",
@@ -195,7 +195,7 @@ spec = do
           "</testsuites>"
         ]
 
--- | One of everything.
+-- | A report with every outcome.
 whole :: Report
 whole =
   Report
@@ -223,7 +223,7 @@ whole =
         ]
     }
 
--- | Nothing wrong.
+-- | A report without failures.
 right' :: Report
 right' =
   whole

@@ -1,6 +1,6 @@
 {-# LANGUAGE OverloadedStrings #-}
 
--- | The server: this library through the pipe, and what it says to requests that are none.
+-- | Tests the server: this library through the pipe, and its replies to malformed requests.
 module Test.Conformance.Serve (spec) where
 
 import Data.Aeson (Object, Value (..), decode, encode, object, (.=))
@@ -43,11 +43,10 @@ import Test.Support (inFolder)
 
 spec :: Spec
 spec = do
-  it "holds the laws through the pipe" $
+  it "the server holds the laws through the pipe" $
     inFolder $ \folder -> do
-      -- In a quick run what is about the pipe: the protocol, and how questions of most operations
-      -- and their answers are written, under a profile whose packed windows are numbers that no
-      -- double holds.
+      -- A quick run tests the pipe: the protocol, and how questions of most operations and their
+      -- answers are written. Its profile has packed windows that no double holds.
       let file = folder </> "long-windows.json"
           chosen =
             running ["protocol/*", "*-takes-either-form", "proof/prove-special-masks"]
@@ -61,23 +60,23 @@ spec = do
       [law | law@(_, outcome) <- outcomes out, outcome `notElem` ["held", "skipped"]]
         `shouldBe` []
       reported "certified" out `shouldBe` Just (Bool (effort == Full))
-  it "holds the laws of touch through the pipe, without a profile, in both modes" $ do
+  it "the server holds the laws of touch through the pipe, without a profile, in both modes" $ do
     let options = words "--stage touch --cases 2 --timeout 60 --json --profile" ++ [paperFile]
         ofEach =
           ["register/blank", "stitch/truth-stays", "segment/blank", "network/outputs-of-each-taxel"]
         oneShot = "--one-shot" : byEffort (running ["register/blank"]) []
         session = (byEffort (running ofEach) [], [], True)
-    -- Certified is what holds a law of each operation that it offers.
+    -- A subject is certified if a law of each operation that it offers holds.
     for_ [session, (oneShot, ["--one-shot"], effort == Full)] $ \(how, server, certified) -> do
       (status, out, err) <- conform (options ++ how) (served ++ server)
       (status, err) `shouldBe` (0, "")
       [law | law@(_, outcome) <- outcomes out, outcome /= "held"] `shouldBe` []
       reported "certified" out `shouldBe` Just (Bool certified)
-  it "says of a law of touch that it needs its stage" $ do
+  it "the server says of a law of touch that it needs its stage" $ do
     (status, out, err) <- conform ["--profile", paperFile, "--run", "register/blank"] served
     (status, out) `shouldBe` (2, "")
     err `shouldContain` "--stage touch"
-  it "answers a process a request" $ do
+  it "serve --one-shot answers one request" $ do
     (_, profile, _) <- praAlone ["profile"]
     let asked keys = "{\"profile\": " ++ concat (lines profile) ++ keys ++ "}\n"
         once' keys = praAloneWith ["serve", "--one-shot"] (asked keys)
@@ -86,7 +85,7 @@ spec = do
     once' "" `shouldReturn` (0, "{\"result\":true}\n", "")
     (_, unknown, _) <- once' (", " ++ operation "divide" "{}")
     unknown `shouldSatisfy` ("{\"skipped\":" `isPrefixOf`)
-  it "says what it is, what it offers, and that it takes 64 requests at once" $ do
+  it "the server states its name, its operations, and that it takes 64 requests at once" $ do
     (status, out, _) <- praAloneWith ["serve"] "{\"command\": \"start\", \"protocol\": 1}\n"
     (status, decode (Lazy.Char8.pack out))
       `shouldBe` ( 0,
@@ -99,7 +98,7 @@ spec = do
                          ]
                      )
                  )
-  it "a process a request reads a line of a mebibyte, with its end or without, and no more" $
+  it "a process per request reads a line of up to a mebibyte, with or without its end" $
     for_ [(size, lineEnd) | size <- [-1, 0, 1], lineEnd <- ["", "\n"]] $ \(more, lineEnd) ->
       inFolder $ \folder -> do
         let request = encode (object ["profile" .= profileValue canonicalProfile])
@@ -109,7 +108,7 @@ spec = do
         withBinaryFile (folder </> "request") ReadMode $ \input ->
           withBinaryFile (folder </> "reply") WriteMode (serveOnce library input)
         reply <- Lazy.readFile (folder </> "reply")
-        -- What is read at once may have the line's end beyond the limit.
+        -- A single read may hold the line's end beyond the limit.
         let late = more == 1 && lineEnd == ""
         (more, lineEnd, reply)
           `shouldBe` ( more,
@@ -118,13 +117,13 @@ spec = do
                          then "{\"errored\":\"a line of more than 1 MiB\"}\n"
                          else "{\"result\":true}\n"
                      )
-  describe "whatever number stands in a request, the reply is a line, from little memory" $
+  describe "whatever number a request contains, the reply is one line and takes little memory" $
     for_ allOperations $ \some -> it (nameOf some) $
       for_ (byEffort (evenly 30) id (extremes (exampleOf some))) $ \question -> do
         reply <- withinBounds (replyTo question)
         (show question, (<= longestLine) . lineLength <$> reply)
           `shouldBe` (show question, Right True)
-  it "as many terms are told as a line has room for, and more are refused as too-long" $ do
+  it "a request for more terms than a line can hold is refused as too-long" $ do
     let most = (longestLine - lineLength "{\"result\":[]}" + 1) `div` 2
         terms count = replyTo (SomeQuestion (Terms :? (0, fromIntegral count)))
         tooLong = "{\"refused\":\"too-long\"}\n"
@@ -133,7 +132,7 @@ spec = do
     terms (most + 1) `shouldReturn` tooLong
     for_ [question size | question <- growing, size <- sizes] $ \question ->
       withinBounds (replyTo question) `shouldReturn` Right tooLong
-  it "an array in which no place can be found has its cells and its windows all the same" $ do
+  it "an array in which no place can be found still has its cells and its windows" $ do
     -- x^34 + x^7 + x^6 + x^5 + x^2 + x + 1, and windows of 2 x 17
     under <- binary [0, 1, 2, 5, 6, 7, 34] (Shape 3 5726623061) (Shape 2 17)
     let nowhere = "{\"refused\":\"table-too-large\"}\n"
@@ -143,7 +142,7 @@ spec = do
         (SomeQuestion (Nearest :? (Nothing, [[Just 1]])), nowhere)
       ]
       $ \(question, reply) -> replyOnce library (requestOf under question) `shouldReturn` reply
-  it "of an array of 2^20 cells all probabilities are too long; those that are not 0 are told" $ do
+  it "all 2^20 probabilities of an array are too long for a line; the nonzero ones fit" $ do
     -- x^20 + x^3 + 1
     under <- binary [0, 3, 20] (Shape 1023 1025) (Shape 10 2)
     let asked = replyOnce library . requestOf under . SomeQuestion
@@ -153,10 +152,10 @@ spec = do
     cells <- for [7 .. 16] $ \r -> for [5, 6] (fmap seen . asked . (Cell :?) . Position r)
     withinBounds (asked (Posterior :? map (map Certainly) cells))
       `shouldReturn` Right "{\"result\":[[7,5,1]]}\n"
-  it "what is not known of a polynomial is refused as not-factored, not denied" $ do
+  it "an undecided property of a polynomial is refused as not-factored, not denied" $ do
     let unknown = "{\"refused\":\"not-factored\"}\n"
         high lead = 1 : replicate 599 0 ++ [lead]
-    -- Over GF(4) to degree 512 factors are looked for.
+    -- Over GF(4) factors are sought up to degree 512.
     for_
       [ (FirstPrimitive :? 513, unknown),
         (FirstPrimitive :? 2000, unknown),
@@ -167,7 +166,7 @@ spec = do
       replyTo (SomeQuestion (Primitive :? codes)) `shouldReturn` reply
     under <- binary [0, 1, 1030] (Shape 1 (2 ^ (1030 :: Int) - 1)) (Shape 1 1030)
     replyOnce library (requestOf under (SomeQuestion (Term :? 0))) `shouldReturn` unknown
-  it "a reply repeats a whole number as its sequence, and nothing else" $
+  it "a reply repeats the request's number if it is a whole number, and nothing else" $
     for_ [(Number 7, "{\"sequence\":7,\"result\":0}\n"), (longText, "{\"result\":0}\n")] $
       \(number, reply) ->
         replyOnce library (requestOf (KeyMap.singleton "sequence" number) (exampleOf (SomeOp Add)))
@@ -177,7 +176,7 @@ spec = do
     (status, err) `shouldBe` (0, "")
     zipWith isPrefixOf replies (lines out) `shouldBe` map (const True) replies
     length (lines out) `shouldBe` length replies
-  describe "an impostor is found through the pipe, by the first law that is said to find it" $
+  describe "an impostor is found through the pipe, by the first law listed for it" $
     parallel $
       for_ (byEffort [] oneALaw ++ oneAStage) $ \one -> it (impostorName one) $ do
         law <- maybe (fail "no law finds it") pure (firstKiller one)
@@ -186,7 +185,7 @@ spec = do
             (["--run", law, "--fail-fast", "--json"] ++ words (stageFor one))
             (served ++ ["--impostor", impostorName one])
         (status, err, (law, "failed") `elem` outcomes out) `shouldBe` (1, "", True)
-  it "the impostors are listed, each with what is wrong and with laws that there are" $ do
+  it "each listed impostor has its mistake and existing laws" $ do
     (status, out, _) <- praAlone ["serve", "--impostors"]
     status `shouldBe` 0
     length (lines out) `shouldBe` 2 * length impostors
@@ -195,7 +194,7 @@ spec = do
   where
     replyTo = replyOnce library . requestOf mempty
     growing = [SomeQuestion . (Terms :?) . (,) 0, SomeQuestion . (FirstPrimitive :?)]
-    -- The profile of an array over GF(2), given which coefficients are 1.
+    -- The profile of an array over GF(2), given the coefficients that are 1.
     binary :: [Int] -> Shape -> Shape -> IO Object
     binary taps shape window = do
       let coefficients = [if i `elem` taps then 1 else 0 | i <- [0 .. maximum taps]]
@@ -215,7 +214,8 @@ spec = do
       | otherwise =
         unwords ["--stage " ++ stageName stage | stage <- impostorTouches one]
           ++ (" --profile " ++ paperFile ++ " --cases " ++ byEffort "4" "20")
-    -- In this process all of them are found: of those that one law finds first, the first is asked.
+    -- All impostors are found in this process. Of those that one law finds first, only the first is
+    -- tried here.
     oneALaw = nubBy ((==) `on` firstKiller) (filter ofTheCode impostors)
     firstKiller = listToMaybe . killersOfProcess . impostorName
     oneAStage =
@@ -225,17 +225,17 @@ spec = do
               touchStages
                 ++ objectStages
         ]
-    -- To make a case of stitching smaller takes seconds.
+    -- Making a case of stitching smaller takes seconds.
     soonFound =
       filter
         ((`notElem` byEffort ["stitches-nothing", "stretches-the-robot"] []) . impostorName)
         impostors
 
--- | Numbers of terms for which no line has room.
+-- | Numbers of terms that no line can hold.
 sizes :: [Natural]
 sizes = [3000000, 10 ^ (9 :: Int), 10 ^ (30 :: Int)]
 
--- | A question, and the same with one of its numbers another.
+-- | A question, and the same question with one of its numbers changed.
 extremes :: SomeQuestion -> [SomeQuestion]
 extremes question@(SomeQuestion typed) =
   question :
@@ -256,7 +256,7 @@ extremes question@(SomeQuestion typed) =
           new <- change item
       ]
 
--- | A request of one process, with further keys.
+-- | A request with one question and further keys.
 requestOf :: Object -> SomeQuestion -> ByteString
 requestOf keys (SomeQuestion question) =
   Lazy.toStrict . encode . Object $
@@ -267,17 +267,17 @@ requestOf keys (SomeQuestion question) =
           "input" .= questionInput question
         ]
 
--- | How many bytes a line has without its end.
+-- | The number of bytes of a line without its end.
 lineLength :: Lazy.ByteString -> Int
 lineLength = fromIntegral . Lazy.length . Lazy.Char8.takeWhile (/= '\n')
 
 operation :: String -> String -> String
 operation name input = "\"operation\": \"" ++ name ++ "\", \"input\": " ++ input
 
--- | Requests, and how the replies begin.
+-- | Requests, and how their replies begin.
 strange :: [(String, [String], [String])]
 strange =
-  [ ( "a line that is no JSON is errored, and the next one answered",
+  [ ( "a line that is not JSON is errored, and the next one answered",
       ["{", start],
       [err, "{\"prot"]
     ),
@@ -290,16 +290,16 @@ strange =
       ["{\"command\": \"run\", \"sequence\": 5, " ++ operation "negate" "{\"a\": 1}" ++ "}"],
       ["{\"sequence\":5,\"errored\":"]
     ),
-    ( "what is no profile is refused",
+    ( "an invalid profile is refused",
       ["{\"command\": \"profile\"}"],
       ["{\"refused\":\"invalid\"}"]
     ),
-    ("to stop there is no reply, and none to what follows", [start, stop, start], ["{\"prot"]),
+    ("stop has no reply, nor has anything after it", [start, stop, start], ["{\"prot"]),
     ( "a line of more than a mebibyte is errored, and the next one answered",
       [replicate 1100000 ' ' ++ start, start],
       [err, "{\"prot"]
     ),
-    ( "a reply of more than a mebibyte is refused, whatever it is, and the next one sent",
+    ( "a reply of more than a mebibyte is refused in every case, and the next one sent",
       ["{\"command\": \"run\", \"sequence\": 5, " ++ long ++ "}", start],
       ["{\"sequence\":5,\"refused\":\"too-long\"}", "{\"prot"]
     )

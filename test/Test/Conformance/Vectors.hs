@@ -1,7 +1,8 @@
 {-# LANGUAGE GADTs #-}
 {-# LANGUAGE OverloadedStrings #-}
 
--- | The shipped test vectors: they are what the program makes, and what is called exhaustive is.
+-- | Tests the shipped test vectors: the program makes the same ones, and those called exhaustive
+-- are exhaustive.
 module Test.Conformance.Vectors (spec) where
 
 import Control.Monad (forM, forM_, replicateM)
@@ -37,16 +38,16 @@ spec :: Spec
 spec = do
   shippedSpec
   commandSpec
-  it "numbers are drawn from all below a bound, to the last bit, however large it is" $
+  it "drawn numbers are below a bound of any size, with every bit drawn" $
     forM_ [1, 31, 32, 33, 63, 64, 65, 100, 128, 200] $ \bits -> do
       let found = Draw.drawn 1 (replicateM 200 (Draw.below (2 ^ (bits :: Int))))
-          -- Of each bit how often it is set: within six standard errors of a half.
+          -- The count of each set bit is within six standard errors of a half.
           often = [length (filter (`testBit` i) found) | i <- [0 .. bits - 1]]
       (bits, maximum found < 2 ^ bits, [i | (i, n) <- zip [0 :: Int ..] often, n < 57 || n > 143])
         `shouldBe` (bits, True, [])
 
 shippedSpec :: Spec
-shippedSpec = describe "those shipped" $ do
+shippedSpec = describe "the shipped vectors" $ do
   it "are made again to the byte, and there are no others" $ do
     forM_ triedProfiles $ \(name, profile) -> do
       prepared <- prepare profile >>= right
@@ -60,8 +61,8 @@ shippedSpec = describe "those shipped" $ do
       (operation, bytes == vectorsText made) `shouldBe` (operation, True)
     there <- listDirectory folder >>= fmap concat . traverse (listDirectory . (folder </>))
     length there `shouldBe` length everyFile
-  it "obey their schema, and when they are spoilt do not" $ do
-    -- The shortest file of each operation; in a quick run where that is short.
+  it "obey their schema, and spoilt ones do not" $ do
+    -- The shortest file of each operation; a quick run takes only short ones.
     texts <- forM codeOperations $ \operation -> do
       files <- forM vectorProfiles (Bytes.readFile . shipped operation . fst)
       pure (map unbroken (Bytes8.unpack (minimumBy (comparing Bytes.length) files)))
@@ -73,10 +74,10 @@ shippedSpec = describe "those shipped" $ do
         lines' = map ((,) "vectors") (filter isShort (texts ++ others))
     validated lines' >>= mapM_ (`shouldSatisfy` all ((== "good") . snd))
     spoilt (take 1 lines') >>= mapM_ (`shouldSatisfy` all ((== "good") . snd))
-  it "are below 10 MB" $ do
+  it "take less than 10 MB" $ do
     sizes <- forM everyFile (fmap Bytes.length . Bytes.readFile)
     sum sizes `shouldSatisfy` (< 10 * 1000 * 1000)
-  it "are the whole domain, each input once, where they are called exhaustive" $
+  it "hold each input of the whole domain once, where they are called exhaustive" $
     forM_ triedProfiles $ \(name, profile) -> forM_ codeOperations $ \operation -> do
       tests <- testsIn (shipped operation name)
       let whole = mapMaybe exhaustive tests
@@ -85,7 +86,7 @@ shippedSpec = describe "those shipped" $ do
         else
           (name, operation, inOrder whole)
             `shouldBe` (name, operation, inOrder (domain profile operation))
-  it "are whole tables of small fields, and of others there is the SHA-256" $
+  it "hold whole tables of small fields, and the SHA-256 of larger ones" $
     forM_ [(one, op) | one <- triedProfiles, op <- [SomeOp Add, SomeOp Multiply]] $ \it' -> do
       let ((name, profile), op) = it'
       tests <- testsIn (shipped op name)
@@ -94,16 +95,16 @@ shippedSpec = describe "those shipped" $ do
           whole = fromIntegral (length (mapMaybe exhaustive tests))
       (name, whole, "\"digest\":{" `Bytes.isInfixOf` text)
         `shouldBe` if q <= 16 then (name, q * q, False) else (name, 0, True)
-  it "each have an id of their own, which others can compute" $ do
+  it "each have their own id, which other programs can compute" $ do
     ids <- concat <$> forM (filesUnder triedProfiles) (fmap (mapMaybe (at ["id"])) . testsIn)
     Set.size (Set.fromList (map show ids)) `shouldBe` length ids
-    -- By Python: json.dumps with sort_keys and the separators (',', ':'), then hashlib.sha256.
+    -- In Python: json.dumps with sort_keys and the separators (',', ':'), then hashlib.sha256.
     powers <- testsIn (shipped (SomeOp Power) "paper")
     let squared = object ["a" .= (2 :: Int), "exponent" .= (-2 :: Int)]
     [at ["id"] test | test <- powers, at ["input"] test == Just squared]
       `shouldBe` [Just "3714fc324e04"]
   where
-    -- A quick run looks at those of a prime field, in two rows, and of an odd power, on a sheet.
+    -- A quick run takes the vectors of a prime field, in two rows, and of an odd power, on a sheet.
     triedProfiles =
       byEffort (filter ((`elem` ["gf3-2x13", "gf49-16x3-sheet"]) . fst)) id vectorProfiles
     everyFile = filesUnder vectorProfiles
@@ -118,7 +119,7 @@ shippedSpec = describe "those shipped" $ do
 
 commandSpec :: Spec
 commandSpec = describe "vectors" $ do
-  it "--check: good, or the first test that differs, by its id" $
+  it "--check reports success, or the id of the first test that differs" $
     inFolder $ \place -> do
       pra (underPaper ["--output", place </> "v", "--operation", "add"])
         >>= (`shouldSatisfy` answered)
@@ -136,7 +137,7 @@ commandSpec = describe "vectors" $ do
       Bytes.writeFile file (Bytes8.unlines others)
       (status', out', _) <- pra ["vectors", "--check", place </> "v"]
       (status', "belongs" `isInfixOf` out') `shouldBe` (1, True)
-  it "--check: a file in the folder of another operation is bad, whatever it has" $
+  it "--check rejects a file in the folder of another operation, whatever it contains" $
     inFolder $ \place -> do
       pra (underPaper ["--output", place, "--operation", "negate"])
         >>= (`shouldSatisfy` answered)
@@ -144,7 +145,7 @@ commandSpec = describe "vectors" $ do
       (status, out, _) <- pra ["vectors", "--check", place]
       (status, "it has tests of negate, whose folder is another one" `isInfixOf` out)
         `shouldBe` (1, True)
-  it "--profile, --seed: a profile of one's own, named by its file, and other drawn inputs" $
+  it "--profile and --seed make vectors of a given profile, named by its file, with other inputs" $
     inFolder $ \place -> do
       let arguments seed to =
             words "vectors --operation power --profile"
@@ -156,7 +157,7 @@ commandSpec = describe "vectors" $ do
       [a, b, c] <- traverse written ["a", "b", "c"]
       (a == b, a == c) `shouldBe` (True, False)
       pra ["vectors", "--check", place </> "c"] >>= (`shouldSatisfy` answered)
-  it "refuses folders and files that have no vectors" $
+  it "files and folders without vectors are refused" $
     inFolder $ \place -> do
       ["vectors", "--check", place] `complains` "there are no vectors in"
       ["vectors", "--check", place </> "none"] `complains` "cannot read"
@@ -193,15 +194,15 @@ shipped operation name = folder </> nameOf operation </> name <.> "json"
 testsIn :: FilePath -> IO [Value]
 testsIn file = statedTests <$> (Bytes.readFile file >>= right . readVectors)
 
--- | What a value has under a path of keys.
+-- | The value at a path of keys.
 at :: [Key] -> Value -> Maybe Value
 at path value = case (path, value) of
   ([], _) -> Just value
   (name : names, Object fields) -> KeyMap.lookup name fields >>= at names
   _ -> Nothing
 
--- | All inputs of an operation that has finitely many under a profile, or that are meant where
--- there is no end of them: a period of the sequence, and the array's own cells.
+-- | All inputs of an operation that has finitely many under a profile. Where there is no end of
+-- them: a period of the sequence, and the array's own cells.
 domain :: Profile -> SomeOp -> [Value]
 domain profile (SomeOp operation) = case operation of
   Add -> pairs "a" codes "b" codes

@@ -1,6 +1,6 @@
 {-# LANGUAGE OverloadedStrings #-}
 
--- | The version of the suite, and the file that says which laws it has.
+-- | Tests the version of the suite, and the file that lists its laws.
 module Test.Conformance.Versions (spec) where
 
 import Data.Aeson
@@ -19,23 +19,23 @@ spec = do
     (_, _, written) <- suiteFile
     let stated = map fst written
     (stated \\ inCode, inCode \\ stated) `shouldBe` ([], [])
-  it "it is of the version that reports tell, and no law is of a later one" $ do
+  it "data/suite.json has the version that reports state, and no law of a later version" $ do
     (schema, version, written) <- suiteFile
     (schema, version) `shouldBe` ("pra-tactile/suite/1", suiteVersion)
     filter ((> numbers suiteVersion) . numbers) (map snd written) `shouldBe` []
     map (length . numbers) (version : map snd written) `shouldSatisfy` all (== 3)
-  it "no id stands there twice, whether its law is there or gone" $ do
+  it "no id stands twice in data/suite.json, whether its law exists or was removed" $ do
     (_, _, written) <- suiteFile
     gone <- Lazy.readFile "data/suite.json" >>= either fail pure . eitherDecode
     let ids = [name | (Listed name _ _ _ _, _) <- written] ++ map snd (goneLaws gone)
     ids \\ nub ids `shouldBe` []
     map (numbers . fst) (goneLaws gone) `shouldSatisfy` all (<= numbers suiteVersion)
-  it "beside the last one that was released, its number says what became of laws" $ do
+  it "the version number follows from what became of laws since the last release" $ do
     (_, before, released) <- suiteIn "test/data/suite-1.0.0.json"
     (_, now, written) <- suiteFile
     let known = [name | (Listed name _ _ _ _, _) <- released]
         added = [since | (Listed name _ _ _ _, since) <- written, name `notElem` known]
-        -- Some are gone, or otherwise than they were.
+        -- Some were removed, or differ from the released ones.
         changed = not (null (released \\ written))
         next = case numbers before of
           [major, minor, _]
@@ -44,12 +44,12 @@ spec = do
           same -> same
     numbers now `shouldSatisfy` (>= next)
     filter ((<= numbers before) . numbers) added `shouldBe` []
-  it "the program tells it, and conform by itself" $ do
+  it "the program states the suite's version, also by conform alone" $ do
     praAlone ["conform", "--version"] `shouldReturn` (0, "suite " ++ suiteVersion ++ "\n", "")
     (status, out, err) <- praAlone ["--version"]
     (status, drop 2 (words out), err) `shouldBe` (0, ["suite", suiteVersion], "")
 
--- | An id, a stage, what is needed, a sentence and a source.
+-- | An id, a stage, what the law needs, a sentence and a source.
 data Listed = Listed String String [String] String String
   deriving stock (Eq, Show)
 
@@ -69,7 +69,7 @@ inCode =
         (lawSentence law)
         (lawSource law)
 
--- | The schema, the version, and the laws, each with the version since which there is it.
+-- | The schema, the version, and the laws, each with the version that introduced it.
 suiteFile :: IO (String, String, [(Listed, String)])
 suiteFile = suiteIn "data/suite.json"
 
@@ -97,7 +97,7 @@ instance FromJSON Suite where
               )
           <*> keys .: "since"
 
--- | The laws that are gone: the version without each, and its id.
+-- | The removed laws: the first version without each, and its id.
 newtype Gone = Gone {goneLaws :: [(String, String)]}
 
 instance FromJSON Gone where

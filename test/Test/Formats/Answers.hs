@@ -1,4 +1,4 @@
--- | Any answers of @locate@ and of @decode@, as their JSON has them.
+-- | Arbitrary answers of @locate@ and of @decode@, with all the values that their JSON can have.
 module Test.Formats.Answers
   ( someAnswer,
     someRecognition,
@@ -160,7 +160,7 @@ someText = several (elements "aA^2 \"\\\n\233\8304")
 someInt :: Gen Int
 someInt = choose (-9, 999)
 
--- | Of any size: below and above what JSON numbers are read exactly to.
+-- | Numbers of any size, below and above the limit to which JSON numbers are read exactly.
 someNatural :: (Num n) => Gen n
 someNatural = fromInteger <$> oneof [choose (0, 9), choose (0, 2 ^ (108 :: Int))]
 
@@ -170,7 +170,7 @@ somePosition = Position <$> someNatural <*> someNatural
 someChance :: Gen Chance
 someChance = Chance <$> someReal <*> arbitrary
 
--- | Finite, of all magnitudes.
+-- | Finite numbers of all magnitudes.
 someReal :: Gen Double
 someReal = oneof [choose (0, 1), scaled <$> choose (-1, 1) <*> choose (-300, 300)]
   where

@@ -1,7 +1,7 @@
 {-# LANGUAGE OverloadedStrings #-}
 
--- | Census files: what is written is read again, and every change of a byte is noticed, by merge
--- and on continuing.
+-- | Tests census files: written files are read again, and both merging and continuing notice every
+-- changed byte.
 module Test.Formats.CensusFile (spec) where
 
 import Control.Monad (forM_, replicateM)
@@ -30,7 +30,7 @@ import Test.QuickCheck
 
 spec :: Spec
 spec = do
-  it "a file is merged, and kept whole, as it is" $
+  it "a whole file is merged unchanged, and continuing keeps all of its rows" $
     forM_ [wantedOf 2 1, wantedOf 4 2] $ \wanted -> do
       let file = fileOf wanted
       merge file `shouldBe` Right (Bytes.lines file)
@@ -43,7 +43,7 @@ spec = do
       rows' <- either (fail . show) pure (decodeCensus file)
       map stated rows' `shouldBe` map (statedOf wanted) entries
       Lazy.toStrict (encodeCensus (map rowText rows')) `shouldBe` file
-  it "every byte replaced by another is refused: by merge, and on continuing" $ do
+  it "a file with any byte replaced is refused, by merging and by continuing" $ do
     let wanted = wantedOf 2 1
         file = fileOf wanted
         changes =
@@ -52,7 +52,7 @@ spec = do
               b <- others,
               b /= Octets.index file i
           ]
-        -- In a quick run every eighth, and some that files have.
+        -- A quick run tries every eighth byte, and some that occur in files.
         others =
           [ b
             | b <- [minBound .. maxBound],
@@ -62,7 +62,7 @@ spec = do
     length changes `shouldSatisfy` (>= (length others - 1) * Octets.length file)
     filter (isRight . merge . replaced) changes `shouldBe` []
     filter (isRight . continue wanted . replaced) changes `shouldBe` []
-  it "every byte left out or inserted is refused; an unfinished last line goes on" $ do
+  it "a file with a byte removed or inserted is refused; a cut last line can be continued" $ do
     let wanted = wantedOf 2 1
         file = fileOf wanted
         size = Octets.length file
@@ -75,7 +75,7 @@ spec = do
     filter (isRight . merge . uncurry inserted) insertions `shouldBe` []
     -- A byte after the last end of line that begins no row.
     filter (isRight . continue wanted . uncurry inserted) insertions `shouldBe` []
-  it "lines left out, swapped and repeated are refused" $ do
+  it "a file with lines left out, swapped or repeated is refused" $ do
     let wanted = wantedOf (byEffort 3 4) 2
         file = Bytes.lines (fileOf wanted)
         count = length file
@@ -91,10 +91,10 @@ spec = do
     -- Without its last line a file is unfinished.
     [i | (i, ls) <- zip [1 ..] changed, isRight (continue wanted (Bytes.unlines ls))]
       `shouldBe` [count - 1]
-  it "cut off anywhere a file is refused by merge, and continued" $ do
+  it "a file cut off anywhere is refused by merging, and can be continued" $ do
     let wanted = wantedOf 3 2
         file = fileOf wanted
-        -- In a quick run at both ends of each line, and at every tenth byte.
+        -- A quick run cuts at both ends of each line, and at every tenth byte.
         ends =
           [ end
             | end <- [0 .. Bytes.length file - 1],
@@ -104,13 +104,13 @@ spec = do
     forM_ ends $ \end -> do
       (end, merge (Bytes.take end file)) `shouldSatisfy` (not . isRight . snd)
       (end, first show (continue wanted (Bytes.take end file))) `shouldSatisfy` (isRight . snd)
-  it "what is no beginning of the next row is refused, by its line" $ do
+  it "a rest that cannot begin the next row is refused with its line number" $ do
     let wanted = wantedOf 2 4
         whole = Bytes.lines (fileOf wanted)
     forM_ [0 .. length whole - 1] $ \k ->
       continue wanted (Bytes.unlines (take (1 + k) whole) <> Bytes.pack "?")
         `shouldBe` Left (NotContinued (k + 2))
-  it "of any rows those are kept that all rows of their entry are like, each once" $ do
+  it "a row is kept once if all rows of its entry are equal, and otherwise dropped" $ do
     let some wanted = take 4 (drop 1 (Bytes.lines (fileOf wanted)))
     forAll (listOf (elements (some (wantedOf 4 2) ++ some (wantedOf 2 6)))) $ \drawn ->
       case contentsOf (Bytes.unlines (headerLine : drawn)) of
@@ -128,7 +128,7 @@ spec = do
                     === [checked (rowText line) | (_, line) <- Map.elems kept],
                   left === length drawn - length alike
                 ]
-  it "of a larger file, any byte changed at random is refused" $ do
+  it "a larger file with any one byte changed is refused" $ do
     let wanted = wantedOf 3 3
         file = fileOf wanted
     property $
@@ -138,7 +138,7 @@ spec = do
            in counterexample
                 (show (Octets.take 60 (Octets.drop (i - 30) changed)))
                 (not (isRight (merge changed)) && not (isRight (continue wanted changed)))
-  it "a census of standard windows is known by its name, whichever foldings it has" $
+  it "a census of standard windows is recognised by its name, whatever its foldings" $
     forM_ [[Diagonal, RowMajor], [RowMajor, Diagonal], [Diagonal], [RowMajor]] $ \foldings -> do
       scope <- either (fail . show) (\s -> pure s {scopeFoldings = foldings}) (standardScope 4 2)
       places <- either (fail . show) pure (scopePlaces scope)
@@ -156,14 +156,14 @@ spec = do
         `shouldBe` Nothing
       fmap ($ 0) (standardPlace (named []) entries of' {subjectOrder = 2, subjectModulus = [0, 1]})
         `shouldBe` Nothing
-  it "no row of a census contradicts itself, with distances that are known and that are not" $ do
+  it "no row of a census contradicts itself, whether its distance is known or not" $ do
     forM_ [wantedOf 2 6, wantedOf 9 2, wantedOf 5 3] $ \wanted -> do
       let found = [readRow (checked body) | (_, Right body) <- wantedInOrder wanted]
       length found `shouldBe` length (wantedInOrder wanted)
       [fault | Left fault <- found] `shouldBe` []
     let ranged = told {foundDistance = (2, Just 3)}
     (contradiction 0 1 subject told, contradiction 0 1 subject ranged) `shouldBe` (Nothing, Nothing)
-  it "a distance between two limits is read as both" $ do
+  it "a distance between two bounds is read with both bounds" $ do
     let limits body =
           [ ( foundDistance . rowFindings <$> readRow (checked (lastly text body)),
               (low, Just d)
@@ -178,7 +178,7 @@ spec = do
         found = concat [limits body | (_, Right body) <- wantedInOrder (wantedOf 2 6)]
     length found `shouldSatisfy` (> 20)
     [one | one@(came, wanted) <- found, came /= Right wanted] `shouldBe` []
-  it "a field that is a number is one in its only form, and every other text is refused" $ do
+  it "a numeric field is read in its only form, and every other text is refused" $ do
     first' <- case [body | (_, Right body) <- wantedInOrder (wantedOf 2 4)] of
       body : _ -> pure (Bytes.split ',' body)
       [] -> fail "an empty census"
@@ -186,7 +186,7 @@ spec = do
         with name text = checked (Bytes.intercalate "," (zipWith (given name text) columns' first'))
         given name text c = if c == name then const text else id
         refused name text = readRow (with name text) == Left (FieldForm name text)
-        -- All texts of at most three of these.
+        -- All texts of at most three of these characters.
         texts = map Bytes.pack (concat [replicateM n "019+- x" | n <- [0 .. 3]])
         digits text = Bytes.all (`elem` ['0' .. '9']) text && not (Bytes.null text)
         number text = digits text && (text == "0" || Bytes.take 1 text /= "0")
@@ -205,7 +205,7 @@ spec = do
     filter (not . refused "enumeration") texts `shouldBe` [""]
     filter (not . refused "distance") (texts ++ ["1..", "..1", "1.2", "01..2", "1..2..3"])
       `shouldBe` filter number texts
-  it "a verdict that contradicts itself or the rest is refused" $
+  it "a verdict that contradicts itself or the rest of its row is refused" $
     forM_ wrong $ \(s, t, names) -> contradiction 0 1 s t `shouldBe` Just names
   where
     stated one =
@@ -289,11 +289,11 @@ wantedOf q n = either (error . show) id $ do
   found <- census (const True) scope
   pure (Wanted scope entries [(entry, rowBody scope entries entry) | entry <- found])
 
--- | Its file, as it is written.
+-- | The file of a census, as it is written.
 fileOf :: Wanted -> ByteString
 fileOf wanted = Lazy.toStrict (encodeCensus [body | (_, Right body) <- wantedInOrder wanted])
 
--- | The lines that merge makes of a file, as the command does.
+-- | The lines that merging makes of a file, as the command does.
 merge :: ByteString -> Either String [ByteString]
 merge bytes = do
   contents <- first show (contentsOf bytes)
@@ -301,7 +301,7 @@ merge bytes = do
   merged <- first show (mergeShards [Shard "file" found])
   pure (headerLine : map (checked . rowText) merged)
 
--- | How many rows are kept of a file, as the command does.
+-- | The number of rows of a file that continuing keeps, as the command does.
 continue :: Wanted -> ByteString -> Either CensusFileError Int
 continue wanted bytes
   | beginsHeader bytes = Right 0

@@ -1,7 +1,7 @@
 {-# LANGUAGE OverloadedStrings #-}
 
--- | Files of evaluations' shards: what is written is read again, cut off anywhere or whole, a
--- change is noticed, and shards come to what one run does.
+-- | Tests files of evaluations' shards: written files are read again, whole or cut off; changes are
+-- noticed; and shards add up to a single run.
 module Test.Formats.EvaluationFile (spec) where
 
 import Data.ByteString.Char8 (ByteString)
@@ -19,7 +19,7 @@ import Test.QuickCheck
 
 spec :: Spec
 spec = do
-  it "cut off anywhere, a file has the presses whose lines are whole; whole, it has all" $
+  it "a file cut off anywhere has the presses whose lines are whole" $
     forAll someShard $ \shard@(evaluation, part, presses) -> do
       let file = fileOf shard
           header = Bytes.length (beginning evaluation part)
@@ -34,20 +34,20 @@ spec = do
                 contentsFinished = end == Bytes.length file,
                 contentsKept = header + sum (take whole (lineLengths shard))
               }
-  it "a file with another digit in it is refused, or of another evaluation or shard" $
+  it "a file with another digit, or of another evaluation or shard, is refused" $
     forAll someShard $ \shard -> do
       let file = fileOf shard
           digits = [i | (i, c) <- zip [0 ..] (Bytes.unpack file), isDigit c]
       forAll ((,) <$> elements digits <*> elements ['0' .. '9']) $ \(i, digit) -> do
         let changed = Bytes.take i file <> Bytes.cons digit (Bytes.drop (i + 1) file)
             heading found = (contentsEvaluation found, contentsPart found)
-        -- A last digit beyond a double's reach changes nothing.
+        -- A last digit beyond a double's precision changes nothing.
         case (contentsOf file, contentsOf changed) of
           (Right one, Right other) -> one === other .||. heading one =/= heading other
           (Right _, Left _) -> property True
           (Left why, _) -> counterexample (show why) False
 
-  it "shards in any order come to what one run counts, to the byte; each is needed once" $
+  it "shards in any order add up to a single run, to the byte; each is needed once" $
     forAll someEvaluation $ \evaluation ->
       forAll (choose (1, evaluationPresses evaluation)) $ \count ->
         forAll (pressesFor evaluation) $ \presses -> do

@@ -1,6 +1,6 @@
 {-# LANGUAGE OverloadedStrings #-}
 
--- | An object that has a key twice is found, wherever it stands in a JSON text.
+-- | Tests that an object with a repeated key is found wherever it stands in a JSON text.
 module Test.Formats.Json (spec) where
 
 import Control.Monad (forM_)
@@ -18,7 +18,7 @@ import Test.QuickCheck
 
 spec :: Spec
 spec = do
-  it "brackets may stand within each other to 64, and digits on end to 1000, and no further" $ do
+  it "up to 64 nested brackets and up to 1000 digits in a row are read, and no more" $ do
     let nested n = Bytes.replicate n '[' <> Bytes.replicate n ']'
         digits n = "[-" <> Bytes.replicate n '7' <> "]"
         refusal = either Just (const Nothing)
@@ -29,13 +29,13 @@ spec = do
       `shouldBe` [Nothing, Nothing, Just TooLong]
     map (refusal . readJsonWith 4 . digits) [4, 5] `shouldBe` [Nothing, Just TooLong]
   describe "repeatedKey" $ do
-    it "is the key that one object has twice, in any nesting and however it is written" $
+    it "is the key that one object repeats, at any depth and however it is written" $
       forM_ twice $ \(text, name) -> (text, repeatedKey text) `shouldBe` (text, Just name)
-    it "is nothing where keys repeat in different objects only, or are values" $
+    it "is Nothing where keys repeat only in different objects, or as values" $
       forM_ single $ \text -> do
         (text, repeatedKey text) `shouldBe` (text, Nothing)
         either (const False) (const True) (readJson text) `shouldBe` True
-    it "is nothing for whatever aeson writes" $
+    it "is Nothing for everything that aeson writes" $
       property $
         forAllShrink document shrunk $ \d ->
           repeatedKey (Lazy.toStrict (encode (valueOf d))) === Nothing
@@ -92,7 +92,7 @@ document = sized go
     distinct fields =
       [(k, d) | (i, (k, d)) <- zip [0 :: Int ..] fields, k `notElem` map fst (take i fields)]
 
--- | Its parts, and itself with fewer or smaller ones.
+-- | Its parts, and the document itself with fewer or smaller ones.
 shrunk :: Document -> [Document]
 shrunk d = case d of
   Text' text -> map Text' (shrinkList (const []) text)
@@ -106,7 +106,7 @@ valueOf d = case d of
   List ds -> toJSON (map valueOf ds)
   Fields fields -> object [Key.fromString k .= valueOf v | (k, v) <- fields]
 
--- | The document as text with one key of one object a second time, and that key.
+-- | The document as text in which one object repeats one key, and that key.
 repetitions :: Document -> [(String, String)]
 repetitions d = case d of
   Text' _ -> []

@@ -1,6 +1,6 @@
 {-# LANGUAGE OverloadedStrings #-}
 
--- | Networks as JSON: written and read alike, and refused where anything is changed.
+-- | Tests networks as JSON: what is written is read again, and a changed file is refused.
 module Test.Formats.Networks (spec) where
 
 import Control.Monad (forM_)
@@ -20,9 +20,9 @@ import Test.Touch.Paper (paperAlphabet)
 
 spec :: Spec
 spec = do
-  it "what is written is read again, to the bit" $
+  it "a written network is read again, to the bit" $
     forAll genFile $ \file -> decodeNetworkFile (encodeNetwork file) === Right file
-  it "whatever number or name is changed, the digest shows it" $ do
+  it "any changed number or name changes the digest" $ do
     file <- sampleFile
     let line = encodeNetwork file
     forM_
@@ -36,7 +36,7 @@ spec = do
         let changed = replaced old new line
         changed `shouldNotBe` line
         (old, decodeNetworkFile changed) `shouldBe` (old, Left (Misfit [] OtherDigest))
-  it "numbers may be written otherwise, and keys stand in another order" $ do
+  it "numbers may be written in another form, and keys in another order" $ do
     file <- sampleFile
     let line = encodeNetwork file
         moved =
@@ -45,7 +45,7 @@ spec = do
             |> replaced "[[0.5," "[[50e-2,"
     moved `shouldNotBe` line
     decodeNetworkFile moved `shouldBe` Right file
-  it "dimensions are those of the weights, however large they are said to be" $ do
+  it "dimensions must be those of the weights, however large the stated ones are" $ do
     file <- sampleFile
     forM_
       [ ("\"hidden\":1", "\"hidden\":1000000000"),
@@ -61,7 +61,7 @@ spec = do
         (old, decodeNetworkFile changed) `shouldSatisfy` \(_, read') -> case read' of
           Left (Misfit _ OtherDigest) -> False
           other -> isLeft other
-  it "a calibration has numbers of at most a million, so that probabilities are numbers" $ do
+  it "a calibration's numbers are at most a million, so that probabilities are numbers" $ do
     file <- sampleFile
     let with f = decodeNetworkFile (encodeNetwork file {fileCalibration = f (fileCalibration file)})
     forM_
@@ -75,12 +75,12 @@ spec = do
         (name, with (change (1.001e6 * sign))) `shouldSatisfy` \(_, read') -> case read' of
           Left (Misfit _ BeyondMillion) -> True
           _ -> False
-  it "cut off anywhere, it is refused" $ do
+  it "a file cut off anywhere is refused" $ do
     file <- sampleFile
     let line = encodeNetwork file
     forM_ [0, 97 .. Bytes.length line - 1] $ \n ->
       decodeNetworkFile (Bytes.take n line) `shouldSatisfy` isLeft
-  it "the digest of shapes is that of their drawings' rows" $ do
+  it "the digest of shapes is the digest of the rows of their drawings" $ do
     alphabet <- right paperAlphabet
     drawings <- Bytes.readFile "data/shapes.txt"
     let rows' = filter ((`elem` ["#", "."]) . Bytes.take 1) (Bytes.lines drawings)
@@ -113,7 +113,7 @@ genFile = do
     genNumber = oneof [elements [0, 1e6, -1e6], choose (-1e6, 1e6), (* 1e-12) <$> arbitrary]
     genWeight = oneof [pure 0, arbitrary, (* 1e-12) <$> arbitrary, (* 1e200) <$> arbitrary]
 
--- | The first occurrence of a text replaced by another.
+-- | Replaces the first occurrence of a text by another.
 replaced :: Bytes.ByteString -> Bytes.ByteString -> Bytes.ByteString -> Bytes.ByteString
 replaced old new text = case Bytes.breakSubstring old text of
   (start, rest)

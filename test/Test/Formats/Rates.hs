@@ -1,4 +1,4 @@
--- | What is computed for a table of rates, from what it means.
+-- | Tests the derived figures in a table of rates against their definitions.
 module Test.Formats.Rates (spec) where
 
 import PraTactile.Array (Shape (..))
@@ -9,7 +9,7 @@ import Test.QuickCheck
 
 spec :: Spec
 spec = do
-  it "soft decoding answers so many per cent more, by what is refused" $
+  it "soft decoding answers this many per cent more patches than hard decoding" $
     forAll genLine $ \line ->
       let answers = (1 -) . rateRefused
        in case (moreAnswers line, lineAsHard line) of
@@ -18,7 +18,7 @@ spec = do
               counterexample (show more) $
                 abs (answers (lineHard line) * (1 + more / 100) - answers soft) < 1e-9
             (Just more, Nothing) -> counterexample (show more) False
-  it "a simulated rate differs by standard errors of the mean of as many trials" $
+  it "a simulated rate differs from the exact one by this many standard errors of its mean" $
     forAll genLine $ \line -> case (deviations line, lineExact line) of
       (Nothing, exact) -> exact === Nothing
       (Just found, Just exact) ->

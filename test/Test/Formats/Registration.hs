@@ -1,6 +1,6 @@
 {-# LANGUAGE OverloadedStrings #-}
 
--- | The JSON of registrations of pairs and of segmentation, of answers made by hand.
+-- | Tests the JSON of registrations of pairs and of segmentations, on answers made by hand.
 module Test.Formats.Registration (spec) where
 
 import Data.Aeson (Value, decodeStrict, object, (.=))
@@ -14,11 +14,11 @@ import Test.Hspec
 
 spec :: Spec
 spec = do
-  it "a pair: the shift where it is given, the reason where it is refused, the best always" $
+  it "a pair has its shift if registered, the reason if refused, and always its best shift" $
     for_ ((Nothing, Nothing) : [(Just r, Just name) | (r, name) <- reasons]) $ \(refusal, name) ->
       decodeStrict (encodeMatch (match refusal (True, True)))
         `shouldBe` Just (expected name ["x", "y"])
-  it "a pair: which axes are fixed" $
+  it "a pair states which axes are fixed" $
     for_
       [ ((False, False), []),
         ((True, False), ["x"]),
@@ -28,12 +28,12 @@ spec = do
       $ \(fixed, axes) ->
         decodeStrict (encodeMatch (match (Just OneAxis) fixed))
           `shouldBe` Just (expected (Just "one-axis") axes)
-  it "groups of frames, by their indices, each ascending" $ do
+  it "groups list the indices of their frames in ascending order" $ do
     groupsOf [] `shouldBe` []
     groupsOf [0, 0, 1, 0, 2, 1] `shouldBe` [[0, 1, 3], [2, 5], [4]]
     groupsOf [1, 0] `shouldBe` [[1], [0]]
 
-  it "segmentation: symbols with their axes and neighbours, parts, and what is none" $
+  it "a segmentation has symbols with axes and neighbours, parts, and rejects with reasons" $
     decodeStrict
       ( encodeSegmentation
           "f.pgm"

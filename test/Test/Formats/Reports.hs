@@ -1,5 +1,5 @@
--- | What the JSON of @locate@ says of answers that are made by hand: of every outcome, by every
--- decoder, of patches in one orientation and in several, of one and of several.
+-- | Tests the JSON of @locate@ on answers made by hand: every outcome and every decoder, one patch
+-- or several, in one orientation or several.
 module Test.Formats.Reports (spec) where
 
 import Control.Monad (forM_)
@@ -15,7 +15,7 @@ import Test.Hspec hiding (context)
 
 spec :: Spec
 spec = do
-  it "of one place the place, and the windows that say so" $
+  it "a single place is reported with the windows that give it" $
     everywhere $ \context answer -> do
       let report = answerReport context answer {answerOutcome = Unique (one identity) windows}
       (statedOutcome report, statedPosition report, statedPositions report, statedReason report)
@@ -23,7 +23,7 @@ spec = do
       statedWindows report `shouldBe` windows
       (basisCount <$> statedBasis report, statedBasis report >>= basisDimension)
         `shouldBe` (Just 1, Nothing)
-  it "of several the places, each once and in order; the windows only where they say something" $
+  it "several places are reported once each and in order, with windows only if these add to them" $
     everywhere $ \context answer -> do
       let candidates =
             [Candidate o p | o <- [identity, turned 1], p <- [Position 3 4, Position 1 2]]
@@ -35,7 +35,7 @@ spec = do
       statedWindows report
         `shouldBe` [w | w <- windows, upright, alone || answerDecoder answer /= NearestDecoder]
       basisCount <$> statedBasis report `shouldBe` Just 4
-  it "of too many to list their number and the dimension; of none why" $
+  it "too many places are reported by number and dimension, and no place by its reason" $
     everywhere $ \context answer -> do
       forM_ [Nothing, Just 5] $ \dimension -> do
         let many = answerReport context answer {answerOutcome = AmbiguousMany 99 dimension}
@@ -48,7 +48,7 @@ spec = do
         (statedOutcome none, statedReason none, statedPositions none, statedWindows none)
           `shouldBe` (NoAnswer, Just (reasonName reason), [], [])
         basisCount <$> statedBasis none `shouldBe` Just 0
-  it "orientations are told where several were asked for: of one candidate its own, else of each" $
+  it "an orientation is reported if several were asked for: one candidate's, or each candidate's" $
     everywhere $ \context answer -> do
       let told outcome =
             statedBasis (answerReport context answer {answerOutcome = outcome}) >>= basisOrientation
@@ -58,7 +58,7 @@ spec = do
       told (Ambiguous (map one [turned 1, mirror]) [])
         `shouldBe` asked (OrientationReport Nothing (seen [turned 1, mirror]))
       told (Refused ZeroWindow) `shouldBe` asked (OrientationReport Nothing [])
-  it "patches are told with their displacements, if they were given with any" $
+  it "patches are reported with their displacements, if any displacement was given" $
     everywhere $ \context answer -> do
       let verdicts = [PatchVerdict (Position 0 i) (Just (fromIntegral i)) (i == 1) | i <- [0 .. 2]]
           told =
@@ -69,7 +69,7 @@ spec = do
         `shouldBe` fmap
           (\by -> (zipWith (\at i -> PatchReport at (Just i) (i == 1)) by [0 ..], windows))
           (answerDisplacements context)
-  it "distances are told of the decoders that correct; of one that searches, what is proved" $
+  it "decoders that correct report distances; one that searches reports what it proved" $
     forM_
       [ (near, next, least)
         | near <- Nothing : known,
@@ -102,7 +102,7 @@ spec = do
                   statedMinimumExact = Just (exactly (Just least) /= Nothing)
                 }
           _ -> Nothing
-  it "of the likeliest candidates five at most are told" $
+  it "at most the five likeliest candidates are reported" $
     everywhere $ \context answer ->
       forM_ [0, 1, 4, 5, 6, 9] $ \count -> do
         let ranking =
@@ -124,7 +124,7 @@ spec = do
                 [(CandidateReport (candidatePosition c) seen, p) | (c, p) <- take 5 ranking]
                 (Just 0.5)
             )
-  it "what is no patch has a reason and no more" $ do
+  it "an invalid patch is reported with its reason and nothing else" $ do
     let report = invalidReport canonicalProfile "complaint"
     (statedOutcome report, statedReason report, statedMessage report, statedBasis report)
       `shouldBe` (Invalid, Just "bad-input", "complaint", Nothing)
@@ -135,7 +135,7 @@ spec = do
     windows = [Position 0 0, Position 0 1]
     known = [Just (Exactly 3), Just (AtLeast 3), Just (Exactly 0), Just (AtLeast 7)]
 
--- | Of every decoder and context.
+-- | Holds for every decoder and context.
 everywhere :: (AnswerContext -> Answer -> Expectation) -> Expectation
 everywhere use =
   forM_ [[identity], [turned 1], rotations] $ \possible ->

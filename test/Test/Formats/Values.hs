@@ -1,7 +1,7 @@
 {-# LANGUAGE OverloadedStrings #-}
 
--- | What single values are as JSON, which are read and which refused; and the names that answers
--- have, as the schemas in @data/schemas@ list them.
+-- | Tests single values as JSON, which of them are read and which refused; and the names in
+-- answers, which the schemas in @data/schemas@ list.
 module Test.Formats.Values (spec) where
 
 import Control.Monad (forM_)
@@ -42,7 +42,7 @@ spec = do
 
 values :: Spec
 values = do
-  it "a natural number is a number below 10^18, or at most 10000 digits as text" $ do
+  it "a natural number is a number below 10^18, or a text of at most 10000 digits" $ do
     let digits n = String (Text.replicate n "9")
         most = Number (10 ^ (18 :: Int) - 1)
     forM_ [Number 0, Number 1, most, String "0", String "007", digits 10000] $
@@ -60,12 +60,12 @@ values = do
         Null
       ]
       $ \value -> (value, readValue natural value) `shouldBe` (value, Left (Misfit [] NotNatural))
-  it "a whole number is less than 10^18, and more than its negative" $
+  it "a whole number lies strictly between -10^18 and 10^18" $
     forM_ [0, 1, 10 ^ (18 :: Int) - 1, 10 ^ (18 :: Int), 10 ^ (30 :: Int)] $ \n -> do
       let expected = if n < 10 ^ (18 :: Int) then Right else const (Left (Misfit [] NotInteger))
       (n, readValue integer (Number (fromInteger n))) `shouldBe` (n, expected n)
       (n, readValue integer (Number (fromInteger (-n)))) `shouldBe` (n, expected (-n))
-  it "what is of another type is refused by the type that it should have" $ do
+  it "a value of another type is refused with the type that it should have" $ do
     let others without =
           [v | v <- [Null, Bool True, Number 0.5, String "x", Aeson.object []], v /= without]
     forM_ (others (Bool True)) $ \v -> (() <$ readValue bool v) `shouldBe` Left (Misfit [] NotBool)
@@ -93,7 +93,7 @@ values = do
 
 names :: Spec
 names = do
-  it "each obstacle of the adviser has its name, its degree, and what it is about" $ do
+  it "each obstacle of the adviser has a name, its degree, and the values it concerns" $ do
     let shape23 = toJSON [2, 3 :: Int]
         folded = Single Diagonal
         window = Fit (Shape 2 3) True [2, 1, 1]
@@ -170,7 +170,7 @@ names = do
               "impossible" .= ([] :: [Value])
             ]
         )
-  it "a comparison with the truth: agreed, in what it differs, or that there is no place" $ do
+  it "a comparison with the truth agrees, names the differences, or says there is no place" $ do
     let face = Face "cube" (readFaceName "C1 C2 C3 C4")
         truth = Truth face (Region 10 20 28 36 identity 0) (1.5, -2.5) Nothing
         claim = Claim face identity (1, 2) (3, 4) Nothing
@@ -196,7 +196,7 @@ names = do
     encoded (Just claim) (Left (Just (Elsewhere 25)))
       `shouldBe` expected False (Just "elsewhere") (Just claim) (Just 25)
     encoded Nothing (Left Nothing) `shouldBe` expected False (Just "no-place") Nothing Nothing
-  it "a frame is doubted that is alone in its group beside others, or not likely in its place" $
+  it "a frame is doubtful if it is alone in its group beside others, or unlikely in its place" $
     forM_
       [ ([(0, Nothing)], [Nothing]),
         ([(0, Just 0.4)], [Just "ambiguous"]),
@@ -214,7 +214,7 @@ names = do
               Nothing
           )
           `shouldBe` expected
-  it "the ways to assemble frames have the names of the option" $
+  it "the methods of assembling frames have the names that the option takes" $
     map stitchMethodName [Automatic, ByLattice, ByPairs, Incremental, Nominal]
       `shouldBe` ["auto", "lattice", "joint", "incremental", "nominal"]
   where
@@ -222,7 +222,7 @@ names = do
 
 sensors :: Spec
 sensors = do
-  it "changes the constants that it names of its preset, or of the paper's sensor" $
+  it "replaces the constants that it names in its preset, or in the paper's sensor" $
     forM_ ((Nothing, Paper) : [(Just p, p) | p <- [minBound ..]]) $ \(named', preset) ->
       forM_ constants $ \c -> do
         let (least, most) = constantRange c
@@ -230,7 +230,7 @@ sensors = do
         forM_ [least, if isInfinite most then least + 1 else most] $ \value ->
           either (const Nothing) Just (decodeSensor (file named' [(constantName c, value)]))
             `shouldBe` either (const Nothing) Just (expected value)
-  it "is refused where a constant is out of its range, or is none" $ do
+  it "is refused if a constant is unknown or out of its range" $ do
     forM_ constants $ \c -> do
       let (least, most) = constantRange c
           refused value =
@@ -246,7 +246,7 @@ sensors = do
             [Key "constants", Index 0, Key "name"]
             (NotAmong (map constantName constants) "colour")
         )
-  it "is refused where a constant is there twice, or in another unit than its own" $ do
+  it "is refused if a constant occurs twice or in a unit other than its own" $ do
     fmap (const ()) (decodeSensor (file Nothing [("noise", 0), ("drift", 0), ("noise", 0)]))
       `shouldBe` Left (Misfit [Key "constants", Index 2] (GivenTwice "noise"))
     let taxel unit =

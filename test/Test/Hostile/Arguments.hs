@@ -1,5 +1,5 @@
--- | Argument lists that mean ill. Which commands and options there are is read from the program's
--- own help, so that a new one is tried without being listed here.
+-- | Hostile argument lists. Commands and options are read from the program's own help, so that new
+-- ones are tried without being listed here.
 module Test.Hostile.Arguments
   ( -- * What there is
     Command (..),
@@ -26,7 +26,7 @@ import Test.Hostile.Judgement
 import Test.Hostile.Mutation (hostileNumbers, hostileWords)
 import Test.QuickCheck hiding (Failure, Success)
 
--- | A command with its options, and what its arguments are called.
+-- | A command with its options, and the names of its arguments.
 data Command = Command
   { commandName :: String,
     commandOptions :: [Option],
@@ -34,15 +34,15 @@ data Command = Command
   }
   deriving stock (Eq, Show)
 
--- | An option, and what its value is called if it has one.
+-- | An option, and the name of its value if it has one.
 data Option = Option
   { optionName :: String,
     optionValue :: Maybe String
   }
   deriving stock (Eq, Show)
 
--- | All commands as the help has them: each begins a line, two spaces in; and its usage has its
--- options and arguments.
+-- | All commands in the help: each begins a line, indented by two spaces; its usage has its options
+-- and arguments.
 commandsOfHelp :: [Command]
 commandsOfHelp =
   [ uncurry (Command name) (inUsage (drop 3 (usageOf name)))
@@ -83,8 +83,8 @@ inUsage given = case given of
     closed token = any (`elem` "])") (take 1 (reverse token))
     opened value = value == "|" || any (`elem` "[(") (take 1 value) || "--" `isPrefixOf` value
 
--- | Argument lists for these commands, with values by what they are called: those that must be
--- there, some of the others, and then perhaps one left out, given twice, exchanged or put in.
+-- | Argument lists for these commands, with values that suit their names: the required ones, some
+-- others, and then perhaps one left out, repeated, exchanged or inserted.
 argumentList :: (String -> Gen String) -> [Command] -> Gen [String]
 argumentList values given = do
   command <- elements given
@@ -117,7 +117,7 @@ argumentList values given = do
         ]
     at list = choose (0, length list)
 
--- | A value by what it is called: one that is fine, or not.
+-- | A value for this name, valid or not.
 valueFor :: String -> Gen String
 valueFor called = frequency [(3, elements (fine called)), (2, word)]
   where
@@ -144,7 +144,7 @@ valueFor called = frequency [(3, elements (fine called)), (2, word)]
       (one, _ : others) -> one : alternatives others
       (one, []) -> [one]
 
--- | Any one argument; bytes that are no ASCII as a file's name has them.
+-- | Any single argument. Bytes that are not ASCII are encoded as in a file's name.
 word :: Gen String
 word =
   oneof

@@ -1,5 +1,5 @@
--- | What is asked of every answer to a hostile input: that there is one, soon, in little memory, in
--- words of our own; and of what was accepted, that the laws hold that hold for valid inputs.
+-- | The demands on every answer to a hostile input: it comes soon, in little memory and in our own
+-- words, and accepted inputs satisfy the laws of valid ones.
 module Test.Hostile.Judgement
   ( Judged (..),
     judgedBy,
@@ -24,7 +24,7 @@ import Test.Effort
 import Test.QuickCheck
 import Visible
 
--- | What became of an input.
+-- | The outcome of an input.
 data Judged
   = -- | for this reason
     Refused String
@@ -32,12 +32,12 @@ data Judged
     Accepted [(String, Bool)] String
   deriving stock (Eq, Show)
 
--- | That the answer takes at most two seconds of computing and 300 MB of memory, whatever is looked
--- at of it; that a refusal is one line of our own words; that of what was accepted the laws hold.
+-- | Demands that the answer, evaluated in full, takes at most two seconds and 300 MB of memory;
+-- that a refusal is one line of our own words; and that an accepted value satisfies the laws.
 judgedBy :: Judged -> Property
 judgedBy = judgedIn . pure
 
--- | The same of an answer that an action gives.
+-- | Makes the demands of 'judgedBy' on an answer that an action gives.
 judgedIn :: IO Judged -> Property
 judgedIn asked = ioProperty $ do
   outcome <- withinBounds (asked >>= \answer -> answer <$ evaluate (weight answer))
@@ -48,16 +48,16 @@ judgedIn asked = ioProperty $ do
       classify True "accepted" $
         conjoin
           ( counterexample said (withoutInternals said) :
-              [counterexample ("not: " ++ law) holds | (law, holds) <- laws]
+              [counterexample ("does not hold: " ++ law) holds | (law, holds) <- laws]
           )
 
--- | All characters that an answer has, so that nothing of it is left unevaluated.
+-- | All characters of an answer, so that nothing of it is left unevaluated.
 weight :: Judged -> Int
 weight answer = case answer of
   Refused why -> length why
   Accepted laws said -> length (filter snd laws) + length said
 
--- | What an action gives, or which bound it passed.
+-- | The result of an action, or the bound that it exceeded.
 withinBounds :: IO a -> IO (Either String a)
 withinBounds action = (quickly `catch` \AllocationLimitExceeded -> watched) `catch` failed
   where
@@ -65,12 +65,12 @@ withinBounds action = (quickly `catch` \AllocationLimitExceeded -> watched) `cat
       setAllocationCounter most
       enableAllocationLimit
       ended <$> (computingFor 2 action `finally` disableAllocationLimit)
-    -- So much was allocated, but perhaps freed again: once more from the start, and look every now
-    -- and then at what lives, which takes time as well.
+    -- This much was allocated, but some may have been freed. Run it again and look from time to
+    -- time at the live data, which takes time as well.
     watched = do
       before <- alive
       greatest <- newIORef before
-      -- A collection takes long where much lives beside what is judged.
+      -- A collection takes long where much else is live.
       watcher <- forkIO . forever $ do
         alive >>= modifyIORef' greatest . max
         replicateM_ 25 (threadDelay 20000 >> live >>= modifyIORef' greatest . max)
@@ -90,9 +90,8 @@ withinBounds action = (quickly `catch` \AllocationLimitExceeded -> watched) `cat
       Just asynchronous -> throwIO (asynchronous :: SomeAsyncException)
       Nothing -> pure (Left ("an exception: " ++ displayException (problem :: SomeException)))
 
--- | What an action gives, unless this process computes for more than so many seconds. The time that
--- others leave it no processor does not count, nor that in which the whole suite's memory is
--- tidied.
+-- | The result of an action, unless this process computes for longer than this many seconds.
+-- Neither the time of other processes nor that of collecting the whole suite's garbage counts.
 computingFor :: Integer -> IO a -> IO (Maybe a)
 computingFor seconds action = do
   start <- computed
@@ -120,9 +119,9 @@ oneLine :: String -> Property
 oneLine why =
   counterexample (show why) $
     conjoin
-      [ counterexample "it is empty" (not (null why)),
-        counterexample "it is more than a line" (length (lines (visibleLine why)) == 1),
-        counterexample "it is too long" (length (visibleLine why) <= 2200),
+      [ counterexample "the refusal is empty" (not (null why)),
+        counterexample "the refusal is more than a line" (length (lines (visibleLine why)) == 1),
+        counterexample "the refusal is too long" (length (visibleLine why) <= 2200),
         withoutInternals why
       ]
 
@@ -197,6 +196,6 @@ internals =
     "this should not have happened"
   ]
 
--- | A count in thousandths of all hostile inputs.
+-- | The number of inputs in this many thousandths of all hostile inputs.
 shareOf :: Int -> Int
 shareOf thousandths = max 1 (byEffort 10000 100000 * thousandths `div` 1000)

@@ -1,15 +1,15 @@
 {-# LANGUAGE OverloadedStrings #-}
 
 -- | Hostile inputs of any format: garbage, or a valid specimen with a few mutations of its bytes,
--- its words or its JSON. The list of mutations is what is drawn, so that a failure shrinks to the
--- one that matters.
+-- its words or its JSON. The list of mutations is drawn, so that a failure shrinks to the mutation
+-- that matters.
 module Test.Hostile.Mutation
   ( Hostile,
     hostile,
     lessHostile,
     specimenOf,
 
-    -- * What stands where something else should
+    -- * Replacements
     hostileNumbers,
     hostileWords,
   )
@@ -27,14 +27,14 @@ import Data.Foldable (toList)
 import Data.List (mapAccumL)
 import Test.QuickCheck
 
--- | An input, by how it is made.
+-- | An input, described by how it is made.
 data Hostile
   = Garbage ByteString
   | -- | the specimen with this index, with these mutations one after the other
     Mutated Int [Mutation]
   deriving stock (Eq, Show)
 
--- | A change. Places and indexes are taken modulo what there is.
+-- | A change. Places and indexes are taken modulo the number available.
 data Mutation
   = -- | a number of bytes from a place become these
     Splice Int Int ByteString
@@ -46,7 +46,7 @@ data Mutation
     Node Int Change
   deriving stock (Eq, Show)
 
--- | What becomes of a node of JSON.
+-- | A change of a node of JSON.
 data Change
   = Become ByteString
   | -- | in a number of lists
@@ -64,7 +64,7 @@ data Change
     Emptied
   deriving stock (Eq, Show)
 
--- | Mutations of one of a number of specimens, mostly a few; one in ten is garbage.
+-- | A few mutations of one of these specimens; one input in ten is garbage.
 hostile :: Int -> Gen Hostile
 hostile specimens =
   frequency
@@ -103,7 +103,7 @@ mutation =
           (1, Nested <$> frequency [(4, choose (1, 3)), (1, choose (50, 5000))]),
           (3, Without <$> child),
           (2, Twice <$> child),
-          -- Long ones now and then: what is not in proportion shows there.
+          -- Long repetitions now and then show costs that are out of proportion.
           (2, Again <$> child <*> frequency [(30, choose (1, 40)), (1, choose (20000, 200000))]),
           (1, Rekeyed <$> child <*> elements ["", "q", "at", "schema", "\\u0000", "a.b[0]"]),
           (2, pure Emptied)
@@ -148,7 +148,7 @@ mutated how bytes = case how of
   where
     size = Bytes.length bytes
 
--- | How often bytes are repeated: so often, unless they would become more than the first number.
+-- | The number of repetitions, lowered so that the result has at most the first number of bytes.
 often :: Int -> Int -> ByteString -> Int
 often largest times part = min times (largest `div` (Bytes.length part + 1))
 
@@ -178,7 +178,7 @@ changedAt i change tree = snd (visited (0 :: Int) tree)
   where
     (count, _) = go (\k node -> (k + 1, node)) 0 tree
     visited = go (\k node -> (k + 1, if k == i `mod` count then changed change node else node))
-    -- Children first, so that what is changed is not visited.
+    -- Children first, so that a changed node is not visited.
     go act k node = case node of
       Leaf _ -> act k node
       Items items -> let (k', items') = mapAccumL (go act) k items in act k' (Items items')
@@ -224,8 +224,8 @@ amongChildren change children = case (change, drop (index change) children) of
       _ -> 0
     wrapped j = j `mod` max 1 (length children)
 
--- | What is not the number wanted: at the edges of machine words, of any size, in forms of other
--- languages, none at all.
+-- | Replacements for a number: at the edges of machine words, of any size, in forms of other
+-- languages, and texts that are no number.
 hostileNumbers :: [ByteString]
 hostileNumbers =
   Bytes8.words

@@ -1,6 +1,6 @@
 {-# LANGUAGE OverloadedStrings #-}
 
--- | The parsers under hostile inputs, and what is done with what they accept.
+-- | The parsers under hostile inputs, and the uses of what they accept.
 module Test.Hostile.Parsers
   ( Kind (..),
     kinds,
@@ -71,13 +71,13 @@ import Test.Support (inFolder)
 -- | A kind of input.
 data Kind = Kind
   { kindName :: String,
-    -- | what share of all inputs it gets, in thousandths
+    -- | its share of all inputs, in thousandths
     kindShare :: Int,
-    -- | valid ones
+    -- | valid inputs
     kindSpecimens :: IO [ByteString],
-    -- | what becomes of one
+    -- | the outcome of an input
     kindJudged :: ByteString -> IO Judged,
-    -- | commands that read one in this file, or from the standard input
+    -- | commands that read such an input in this file, or from the standard input
     kindFile :: FilePath,
     kindRuns :: [String]
   }
@@ -178,7 +178,7 @@ kinds =
         | (form, specimens) <- otherImages
       ]
 
--- | What is read of bytes: refused in words, or with laws that hold of it.
+-- | A parser of bytes: it refuses in words, or what it accepts satisfies these laws.
 judged ::
   Show a =>
   (e -> String) ->
@@ -189,7 +189,7 @@ judged ::
 judged inWords decode laws =
   either (Refused . inWords) (\value -> Accepted (laws value) (show value)) . decode
 
--- | What is read is written and read again as the same, and keeps further laws.
+-- | A parser whose accepted values are written and read again unchanged, and satisfy further laws.
 judgedForm ::
   (Eq a, Show a, Eq e) =>
   (e -> String) ->
@@ -207,7 +207,7 @@ judgedPgm = judged imageMessage decodePgm $ \image ->
     | format <- [Plain, Binary]
   ]
 
--- | All its images are shares of full scale, of its size.
+-- | The images of a file: all have its size, and values that are shares of full scale.
 judgedImages :: ByteString -> Judged
 judgedImages = judged imageMessage (decodeImages maxPixels) $ \images ->
   [ ( "its images are shares of full scale",
@@ -231,7 +231,7 @@ judgedSensor =
 judgedCalibration =
   judgedForm (formatMessage "it" "a calibration") decodeCalibration encodeCalibration $
     \calibration ->
-      -- What it makes of a frame of its size.
+      -- A frame of its size, calibrated.
       let (w, h) = rasterSize (calibrationOffset calibration)
           felt = correctedImage calibration (constant w h 0.5)
        in [("readings are from 0 to 1", either (const False) (within01 . rasterValues) felt)]
@@ -259,7 +259,7 @@ judgedShard = judged (evaluationFileMessage "it") Evaluation.contentsOf $ \found
     originals =
       concatMap (either (const []) Evaluation.contentsPresses . Evaluation.contentsOf) shards
 
--- | The reply of the library, which is one line of the protocol with one thing in it.
+-- | The library's reply, which is one line of the protocol with one thing in it.
 judgedRequest :: ByteString -> IO Judged
 judgedRequest bytes = do
   reply <- Lazy.toStrict <$> replyOnce library bytes
@@ -283,8 +283,8 @@ judgedPatch, judgedTurned :: ByteString -> Judged
 judgedPatch = patchJudge [identity]
 judgedTurned = patchJudge symmetries
 
--- | Patches on the paper's array, with everything that is said of them. What is prepared for the
--- array is so once.
+-- | Patches on the paper's array, with everything that is reported of them. The array is prepared
+-- once.
 patchJudge :: [Symmetry] -> ByteString -> Judged
 patchJudge possible = (`asText` answered)
   where
@@ -338,7 +338,7 @@ rendered written
       Probabilities b -> show (Primitive.toList (probabilities b))
     listed items = "[" ++ intercalate "," items ++ "]"
 
--- | The same for comparison: probabilities, which are made to add up to 1 again, to nine decimals.
+-- | Patches for comparison: normalised probabilities, rounded to nine decimals.
 shown :: Written k -> (Bool, [((Integer, Integer), [[Maybe [Integer]]])])
 shown written =
   ( writtenDisplaced written,
@@ -444,14 +444,14 @@ judgedNetwork, judgedJsonNetwork, judgedDrawing :: ByteString -> Judged
 judgedNetwork = inText networkMessage parseNetwork renderNetwork
 judgedJsonNetwork =
   judgedForm (formatMessage "it" "a network") decodeNetworkFile encodeNetwork $ \found ->
-    [ ( "its units are those that its dimensions say",
+    [ ( "its units are as many as its dimensions state",
         let (w1, w2) = unitRows (fileNetwork found)
          in map length w1 == map (const 97) w1 && map length w2 == map (const (length w1 + 1)) w2
       )
     ]
 judgedDrawing = inText shapeMessage parseAlphabet renderAlphabet
 
--- | What is read of text.
+-- | A parser of text.
 inText ::
   (Eq a, Show a, Eq e) =>
   (e -> String) ->
@@ -464,7 +464,7 @@ inText inWords parse render =
   where
     decode = either (const (Left Nothing)) (first Just . parse) . decodeUtf8'
 
--- | By what it begins with it is of a format.
+-- | A solid's file, whose first bytes determine its format.
 judgedSolid :: ByteString -> Judged
 judgedSolid bytes = case readSolid format (ObjectName "it") bytes of
   Left why -> Refused (solidFileMessage "it" format why)

@@ -1,7 +1,7 @@
 {-# LANGUAGE OverloadedStrings #-}
 
--- | What the program is run on: hostile files and standard inputs for each command that reads any,
--- and hostile arguments.
+-- | Runs of the program: hostile files and standard inputs for each command that reads any, and
+-- hostile arguments.
 module Test.Hostile.Processes
   ( readExample,
     hostileRun,
@@ -44,8 +44,8 @@ hostileRun kind files specimens = do
   let others = filter ((/= kindFile kind) . fst) files
   pure (Run (words command) bytes ((kindFile kind, bytes) : others))
 
--- | A run with arguments that cannot do any harm, nor ask for long work in good faith: files are
--- named within the folder, and amounts of work and of memory are left as they are or small.
+-- | A run with arguments that can neither do harm nor ask for long work: files are named within the
+-- folder, and amounts of work and of memory are left as they are or small.
 harmlessRun :: [(FilePath, ByteString)] -> Gen Run
 harmlessRun example = run <$> (argumentList value quick `suchThat` all harmlessOne)
   where

@@ -1,5 +1,4 @@
--- | The program run on hostile inputs, in a folder of its own, with a bound on its memory and on
--- its time.
+-- | Runs the program on hostile inputs, in a new folder, with bounds on its memory and its time.
 module Test.Hostile.Runs
   ( Run (..),
     Ran (..),
@@ -24,8 +23,8 @@ import Test.Hostile.Judgement
 import Test.QuickCheck
 import Test.Support
 
--- | What is run: the arguments, the standard input, and the files that are there, below the folder
--- that it is run in.
+-- | A run: the arguments, the standard input, and the files that exist below the folder in which it
+-- runs.
 data Run = Run
   { runArguments :: [String],
     runInput :: ByteString,
@@ -33,8 +32,8 @@ data Run = Run
   }
   deriving stock (Eq, Show)
 
--- | What came of it: the status, if it ended within 20 seconds; the standard output and error; the
--- files that are there.
+-- | The outcome of a run: the status, if it ended within 20 seconds; the standard output and error;
+-- the files that exist.
 data Ran = Ran
   { ranStatus :: Maybe Int,
     ranOutput :: ByteString,
@@ -43,8 +42,8 @@ data Ran = Ran
   }
   deriving stock (Eq, Show)
 
--- | Run the program with a heap of at most 300 MB; beyond it, its runtime system ends it with
--- status 251.
+-- | Runs the program with a heap of at most 300 MB. Its runtime system ends it with status 251
+-- beyond that.
 ran :: Run -> IO Ran
 ran run = inFolder $ \folder -> do
   let here = folder </> "here"
@@ -77,9 +76,9 @@ ran run = inFolder $ \folder -> do
       ExitSuccess -> 0
       ExitFailure n -> n
 
--- | That it ended in time, in memory, with one of the three statuses, and said what is wrong on a
--- line of its own words; that nothing is on the standard output where nothing was answered, unless
--- of a batch; and that nothing half written is left.
+-- | Demands that a run ends in time and in memory, with one of the three statuses, and says what is
+-- wrong on a line of its own words. A run without an answer writes nothing to the standard output,
+-- unless it is of a batch. No half-written file is left.
 judgedRun :: Run -> Property
 judgedRun run = ioProperty $ do
   found <- ran run
@@ -92,21 +91,21 @@ judgedRun run = ioProperty $ do
       counterexample (show (found {ranOutput = Bytes.take 300 (ranOutput found)})) $
         conjoin
           [ counterexample
-              "it ends within 20 seconds with status 0, 1 or 2"
+              "it does not end within 20 seconds with status 0, 1 or 2"
               (ranStatus found `elem` map Just [0, 1, 2]),
             counterexample
-              "bad input: nothing is answered"
+              "bad input: the standard output is not empty"
               (not refused || batch || Bytes.null (ranOutput found)),
             counterexample
-              "bad input: a line"
+              "bad input: the standard error is not one line"
               (not refused || batch || length (lines said) == 1),
             counterexample
-              "bad input: it names the program"
+              "bad input: the standard error does not name the program"
               (not refused || batch || all named (lines said)),
-            counterexample "otherwise: a line at most" (refused || length (lines said) <= 1),
-            counterexample "in words of our own" (not (any (`isInfixOf` said) internals)),
+            counterexample "otherwise: more than a line" (refused || length (lines said) <= 1),
+            counterexample "it has words of libraries" (not (any (`isInfixOf` said) internals)),
             counterexample
-              "nothing half written is left"
+              "a half-written file is left"
               (not (any (".part" `isInfixOf`) (ranFiles found)))
           ]
   where

@@ -1,6 +1,6 @@
 {-# LANGUAGE OverloadedStrings #-}
 
--- | Valid inputs of every kind: shipped files, and small ones as the library writes them.
+-- | Valid inputs of every kind: shipped files, and small ones that the library writes.
 module Test.Hostile.Specimens
   ( pgms,
     otherImages,
@@ -79,7 +79,8 @@ pgms =
   (: ["P2 # a comment\n3 2\n# another\n9\n0 1 2\n9 8 7\n", "P5 3 1 65535\n\0\1\2\3\255\255"])
     <$> Bytes.readFile "data/worked-example/frames/frame_000.pgm"
 
--- | Images in each form but single PGM files, by its name: made of a frame, and written by hand.
+-- | Images in each form other than single PGM files, by file name: made of a frame, and written by
+-- hand.
 otherImages :: [(String, IO [ByteString])]
 otherImages =
   [ ( ".npy files",
@@ -116,7 +117,7 @@ manifests =
   )
     <$> Bytes.readFile "data/worked-example/frames/manifest.csv"
 
--- | Manifests in JSON, with all keys and without those that may be left out.
+-- | Manifests in JSON, with all keys and without the optional ones.
 jsonManifests :: [ByteString]
 jsonManifests =
   [ "{\"schema\":\"pra-tactile/manifest/1\",\"axes\":\"x,-y\",\"frame\":[16,8],\"taxel_mm\":0.8,\
@@ -157,7 +158,7 @@ certificates =
   where
     onSheet = canonicalProfile {profileSurface = Sheet}
 
--- | Over GF(2), of 3 x 5 cells, with windows of 2 x 2.
+-- Over GF(2), of 3 x 5 cells, with windows of 2 x 2.
 smallProfile :: Either ProfileError Profile
 smallProfile = chooseProfile (profileChoice 2 [1, 1, 0, 0, 1] (Shape 3 5))
 
@@ -197,21 +198,21 @@ profiles =
   (: map encodeProfile [canonicalProfile, foldedBy RowMajor canonicalProfile])
     <$> Bytes.readFile "data/profiles/gf9.json"
 
--- | The sensors that are shipped, and one with a single constant.
+-- | The shipped sensors, and one with a single constant.
 sensors :: [ByteString]
 sensors =
   "{\"schema\":\"pra-tactile/sensor/1\",\"constants\":[{\"name\":\"noise\",\"value\":0.25}]}" :
     [encodeSensor (Just preset) (presetSensor preset) | preset <- [minBound ..]]
 
--- | Calibrations of 4 x 3 elements, of which some are dead, and of 16 x 16.
+-- | Calibrations of 4 x 3 elements, some of them dead, and of 16 x 16.
 calibrations :: [ByteString]
 calibrations =
   [ encodeCalibration (Calibration (constant w h 0.125) (constant w h 1.25) dead)
     | (w, h, dead) <- [(4, 3, [(0, 0), (2, 3)]), (4, 3, []), (16, 16, [(7, 7), (7, 8), (15, 0)])]
   ]
 
--- | Requests in the form of a process a request: of each operation's vectors the first that is
--- answered, and one of frames.
+-- | Requests for a process per request: the first vector of each operation that is answered, and
+-- one of frames.
 requests :: IO [ByteString]
 requests = do
   operations <- listDirectory vectors
@@ -255,7 +256,8 @@ truths =
   where
     face = Face (ObjectName "cube") (readFaceName "C1 C2 C3 C4")
 
--- | Of answers of @decode@ what is compared with a truth: of one on a face and of one on none.
+-- | The parts of answers of @decode@ that are compared with a truth: an answer on a face and one on
+-- none.
 claims :: [ByteString]
 claims =
   [ "{\"schema\":\"pra-tactile/decode/1\",\"outcome\":\"located\",\"on\":\"face\",\
@@ -277,7 +279,7 @@ grids =
 networks :: [ByteString]
 networks = [encodeUtf8 (renderNetwork found) | found <- smallNetworks]
 
--- | The same in the other form.
+-- | The network of one hidden unit and two outputs in JSON.
 jsonNetworks :: [ByteString]
 jsonNetworks =
   [ encodeNetwork (NetworkFile found (replicate 64 '0') (standardCalibration 2) (Just 1) Nothing)
@@ -316,7 +318,7 @@ placements =
            ]
        ]
 
--- | Where the robot's frame lies in the world.
+-- | The pose of the robot's frame in the world.
 planes :: [ByteString]
 planes =
   [ "{\"schema\":\"pra-tactile/plane/1\",\"rotation\":" <> rotation

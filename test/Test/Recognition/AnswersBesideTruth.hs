@@ -1,4 +1,4 @@
--- | Where a point that the robot touched truly is, and answers compared with that.
+-- | Tests the true place of a point that the robot touched, and answers compared with it.
 module Test.Recognition.AnswersBesideTruth (spec) where
 
 import PraTactile.Explore
@@ -37,7 +37,7 @@ lawsOn layout = do
             [(left, top), (left + across, top), (left + across, top + down), (left, top + down)]
           corners = take 4 (drop (quarterTurns (invert (regionSymmetry region))) (cycle onFace))
        in conjoin (zipWith near (map (truePlace truth) seen) corners)
-  prop "an answer agrees with its truth to less than half a cell; else it is elsewhere" $
+  prop "an answer agrees with its truth within less than half a cell, and else is elsewhere" $
     forAllShrink someTruth simpler $ \truth point (dx, dy) ->
       let (x, y) = truePlace truth point
           claim =
@@ -54,7 +54,7 @@ lawsOn layout = do
             Left (Elsewhere far) ->
               (abs dx > 12.7 - tiny || abs dy > 15.875 - tiny) && abs (far - distance) < tiny
             Left _ -> False
-  prop "another face, or another way up, is no agreement, wherever it is" $
+  prop "another face, or another way up, never agrees, whatever the place" $
     forAllShrink someTruth simpler $ \truth point ->
       let right =
             Claim
@@ -72,9 +72,9 @@ lawsOn layout = do
             compared layout truth right {claimSymmetry = turned 1 <> claimSymmetry right}
           )
             === (Left OtherFace, Left OtherWayUp)
-  -- Walked on by one vertex, the face W wide and H high begins at its lower left: what was x right
-  -- and y down is H - y right and x down, and the face lies a quarter turn further back.
-  prop "an answer that begins the face at another vertex says the same of the same place" $
+  -- Begun one vertex further, the face W wide and H high begins at its lower left. What was x right
+  -- and y down is then H - y right and x down, and the face lies a quarter turn further back.
+  prop "an answer that begins the face at another vertex describes the same place" $
     forAllShrink someTruth simpler $ \truth point (dx, dy) ->
       let (x, y) = truePlace truth point
           claim =
@@ -112,14 +112,14 @@ lawsOn layout = do
               taxelPitch * regionDown region + half high
             )
             .&&. near (u - x, v - y) (10 * cos radians, -10 * sin radians)
-  prop "a turn by an angle near to none is nearly none" $
+  prop "a turn by a small angle changes little" $
     forAllShrink someTruth simpler $ \truth point ->
       let (x, y) = point :: (Double, Double)
           region = truthRegion truth
           (u, v) = truePlace truth point
           (u', v') = truePlace truth {truthRegion = region {regionAngle = 1e-9}} point
        in abs x < 1e4 && abs y < 1e4 ==> near (u, v) (u', v')
-  prop "at any angle the nearest quarter turn is the right one, and near the border both are" $
+  prop "at any angle the nearest quarter turn is right; at the border between two, both are" $
     forAll askewTruth $ \truth ->
       let said symmetry =
             compared layout truth $
@@ -129,7 +129,7 @@ lawsOn layout = do
        in counterexample (show right) $
             regionSymmetry region `elem` right
               && length right == (if abs (regionAngle region) < 40 then 1 else 2)
-  prop "exactly 50 degrees off is as near, and more is not" $
+  prop "exactly 50 degrees off counts as near, and more does not" $
     forAll askewTruth $ \truth ->
       let tilted angle = truth {truthRegion = (truthRegion truth) {regionAngle = angle}}
           symmetry = regionSymmetry (truthRegion truth)
@@ -138,7 +138,7 @@ lawsOn layout = do
               Claim (truthFace truth) symmetry (truePlace (tilted angle) (1, 2)) (1, 2) Nothing
        in map ((== Left OtherWayUp) . said) [50, -50, 50.001, -50.001]
             === [False, False, True, True]
-  prop "an angle is its nearest quarter turn and the rest" $
+  prop "an angle is its nearest quarter turn plus the rest" $
     forAll (choose (-1000, 1000)) $ \degrees ->
       let (symmetry, rest) = nearestQuarter degrees
           off = degreesClockwise symmetry + rest - degrees
@@ -154,7 +154,7 @@ lawsOn layout = do
     near (x, y) (u, v) =
       counterexample (show ((x, y), (u, v))) (abs (x - u) < tiny && abs (y - v) < tiny)
 
--- | The same at any angle.
+-- | A truth at any angle.
 askewTruth :: Gen Truth
 askewTruth = do
   truth <- someTruth
@@ -175,7 +175,7 @@ someTruth =
     <*> ((,) <$> choose (-500, 500) <*> choose (-500, 500))
     <*> pure Nothing
 
--- | With its origins at 0, and upright.
+-- | Simpler truths for shrinking: with an origin at 0, or upright.
 simpler :: Truth -> [Truth]
 simpler truth =
   filter

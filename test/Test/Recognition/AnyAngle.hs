@@ -1,4 +1,4 @@
--- | Faces that lie at any angle, and arrangements of symbols that are none of the array's.
+-- | Tests faces that lie at any angle, and arrangements of symbols that are not the array's.
 module Test.Recognition.AnyAngle (spec) where
 
 import Data.Either (isRight)
@@ -53,25 +53,25 @@ spec = do
 
 gridSpec :: Spec
 gridSpec = do
-  prop "without an image's angle it is theirs, wherever they lie and whatever way up they are" $
+  prop "is that of the symbols without an image's, wherever they lie and in any rotation" $
     forAll (choose (-44, 44)) $ \angle ->
       forAll (elements rotations) $ \way ->
         near 1e-6 angle (gridSkew Nothing (gridOf way angle (3, 4)))
-  prop "where the image says the same, it is that" $
+  prop "equals the image's angle if the symbols have the same angle" $
     forAll (choose (-44, 44)) $ \angle ->
       near 1e-6 angle (gridSkew (Just angle) (gridOf identity angle (2, 2)))
-  prop "of a single symbol, which has none, it is the image's" $
+  prop "of a single symbol, which has no angle, is the image's" $
     forAll (choose (-44, 44)) $ \angle ->
       near 1e-3 angle (gridSkew (Just angle) (gridOf identity 0 (1, 1)))
         .&&. gridSkew Nothing (gridOf identity angle (1, 1)) === 0
-  it "many symbols are believed before an image, and an image before two of which one is off" $ do
+  it "follows many symbols against the image, and the image against two symbols" $ do
     gridSkew (Just 0) (gridOf identity 6 (4, 5)) `shouldSatisfy` (\a -> a > 5 && a <= 6)
     gridSkew (Just 0) (gridOf identity 3.6 (1, 2)) `shouldSatisfy` (\a -> a >= 0 && a < 1.8)
   where
     near most wanted found = counterexample (show found) (abs (found - wanted) < most)
 
--- | So many rows and columns of symbols on their grid, seen in a rotation, turned clockwise by that
--- angle about a place.
+-- | This many rows and columns of symbols on their grid, seen in a rotation, turned clockwise by
+-- that angle about a place.
 gridOf :: Symmetry -> Double -> (Int, Int) -> FaceGrid
 gridOf way angle (rowCount, columnCount) =
   FaceGrid (Map.fromList (zipWith symbol [0 ..] cells)) [] [] (0, 0)
@@ -85,13 +85,13 @@ gridOf way angle (rowCount, columnCount) =
       let (c, s) = (cos (angle * pi / 180), sin (angle * pi / 180))
        in (31 + c * x - s * y, 17 + s * x + c * y)
 
--- | A symbol of class 0, seen in that rotation at a place, without a doubt.
+-- | A symbol of class 0, seen in that rotation at a place, without any doubt.
 readSymbol :: Symmetry -> Int -> (Double, Double) -> ReadSymbol
 readSymbol way n at = symbolOf n at (way, 0)
 
 preferredSpec :: Spec
 preferredSpec =
-  prop "the one that is an answer holds, as given up to 7 degrees, or what leaves less doubt" $
+  prop "the only answer wins (as given: up to 7 degrees), else the reading with less doubt" $
     forAll (oneof [choose (-12, 12), elements [7, -7, 7.001, -7.001, 0]]) $ \angle ->
       forAll ((,) <$> genReading <*> genReading) $ \(asGiven, setRight) ->
         let surer = product (fst setRight) < product (fst asGiven)
@@ -102,8 +102,8 @@ preferredSpec =
          in preferred angle (reading asGiven) (reading setRight)
               === reading (if second then setRight else asGiven)
   where
-    -- The same product only of the same doubts, in the same order: 0.1 three times is 1e-3, up to
-    -- rounding.
+    -- Products are equal only for equal doubts in the same order: 0.1 three times is 1e-3 only up
+    -- to rounding.
     genReading = do
       doubts <- sort <$> (choose (0, 4) >>= (`vectorOf` elements [1e-7, 1e-3, 0.3, 0.5]))
       answer <- elements [Left NoSymbols, Right (Several identity [])]
@@ -117,16 +117,16 @@ preferredSpec =
 
 skewSpec :: Spec
 skewSpec = do
-  it "of a straight edge is the edge's angle, to half a degree; nearly upright, nearly that" $
+  it "of a straight edge is the edge's angle, within half a degree (3 degrees near upright)" $
     for_ [-42, -38 .. 42] $ \angle ->
       for_ [-3.3, 0, 2.7] $ \away ->
         skew [compositeOf (edge angle away)]
-          -- Rows and columns of pixels draw what lies nearly along them.
+          -- Near upright, the rows and columns of pixels draw the line.
           `shouldSatisfy` maybe False ((< if abs angle < 4 then 3 else 0.5) . abs . subtract angle)
-  it "is none where nothing changes, or there is no place to tell" $
+  it "is Nothing where nothing changes, or where the image is too small" $
     for_ [constant 30 30 0, constant 30 30 0.7, constant 2 9 0, constant 0 0 0] $ \image ->
       skew [compositeOf image] `shouldBe` Nothing
-  prop "is the same to a quarter turn however the image lies" $
+  prop "is the same up to a quarter turn however the image lies" $
     forAll (choose (-40, 40)) $ \angle ->
       forAll (elements rotations) $ \symmetry ->
         let seen = skew . pure . compositeOf
@@ -134,7 +134,7 @@ skewSpec = do
          in counterexample (show (seen image, seen (onRaster symmetry image))) $
               maybe False (< 0.3) (apart <$> seen image <*> seen (onRaster symmetry image))
   where
-    -- A ramp a taxel wide, across a line that lies at an angle so far from the image's middle.
+    -- A ramp one taxel wide, across a line at an angle and at a distance from the image's middle.
     edge angle away =
       generate 36 30 $ \x y ->
         let (c, s) = (cos (angle * pi / 180), sin (angle * pi / 180))
@@ -151,7 +151,7 @@ uprightSpec = do
         (compositeImage upright)
         (compositeImage (onComposite (turned (4 - quarters)) composite))
         `shouldSatisfy` (< 1e-9)
-  prop "shows at each place what the given one shows where that place is, in the robot's sense" $
+  prop "shows at each place what the original shows there, by the robot's sense of angles" $
     forAll (choose (-180, 180)) $ \angle ->
       forAll ((,) <$> choose (0, 11) <*> choose (0, 8)) $ \(x, y) ->
         let (upright, back) = setUpright angle composite
@@ -190,8 +190,8 @@ angleSpec setting =
     reader = recogniserOf setting
     faces = facesFelt setting
     (wide, high) = (40, 52) :: (Int, Int)
-    -- From the pixels' coordinates, in millimetres, to the face's: the middle of the image lies on
-    -- the face where the shares say, far enough from its sides that a window is seen whole.
+    -- From the pixels' coordinates, in millimetres, to the face's. The middle of the image lies on
+    -- the face at these shares, far enough from its sides that a whole window is seen.
     motionOf face angle (u, v) = Motion (negate angle) (atX - midX) (atY - midY)
       where
         (fw, fh) = spotMillimetres (laidExtent face)
@@ -236,26 +236,26 @@ angleSpec setting =
 
 foreignSpec :: KnownField k => Setting k -> Spec
 foreignSpec setting = do
-  it "is as likely, of four clear symbols, as Bayes' theorem has it for each share" $
+  it "for four clear symbols has the probability of Bayes' theorem, for each prior" $
     for_ [0.001, 0.005, 0.3] $ \share ->
       for_ [Position 0 0, Position 6 5, Position 14 16] $ \place -> do
         let told = doubtsOfOrigin <$> doubtsOf share (ours 2 2 place)
-            -- All 256 contents are equally likely of what is foreign by chance; 255 of other
-            -- arrays, and of ours, each symbol of which is what it seems in 99 % and any one in
-            -- the rest.
+            -- All 256 contents are equally likely for foreign symbols by chance, and 255 for other
+            -- arrays. A symbol of our array is what it seems in 99 % of cases and any symbol in the
+            -- others.
             likelihood = (0.99 + 0.01 / 4) ^ (4 :: Int) / 255
             chances = [share / 2 / 256, share / 2 / 255]
             expected = map (/ (sum chances + (1 - share) * likelihood)) chances
         fmap (\told' -> [doubtOfRandom told', doubtOfOtherArrays told']) told
           `shouldSatisfy` maybe False (and . zipWith (\e -> near (1e-3 * e) e) expected)
-  it "is beyond thought where the share is nothing" $
+  it "has probability 0 if its prior is 0" $
     fmap (doubtOfForeign . doubtsOfOrigin) (doubtsOf 0 (ours 2 2 (Position 3 3))) `shouldBe` Just 0
-  it "four clear symbols alone are an answer by default, and not where a half is foreign" $ do
+  it "four clear symbols alone are an answer by default, but not with a foreign prior of 0.5" $ do
     answered standardTolerance (ours 2 2 (Position 6 5)) `shouldBe` True
     answered standardTolerance {foreignPrior = 0.5} (ours 2 2 (Position 6 5)) `shouldBe` False
     answered standardTolerance {foreignPrior = 0.5} (ours 3 4 (Position 6 5)) `shouldBe` True
   it
-    "frames that may lie otherwise weigh as much as that is probable where they then differ"
+    "another layout with another answer adds doubt by its odds"
     $ do
       let here = ours 3 4 (Position 6 5)
           there = ours 3 4 (Position 2 9)
@@ -271,12 +271,12 @@ foreignSpec setting = do
       told [] `shouldBe` Just 0
       told [oneFrame 0.004 there] `shouldSatisfy` near' 1e-6 (0.004 / 1.004)
       told [oneFrame 0.3 here] `shouldBe` Just 0
-      -- What shows nothing in common shows something else.
+      -- A layout without a lattice shows something else.
       told [AlternativeLayout OneFrame 1 0.004 Nothing] `shouldSatisfy` near' 1e-6 (0.004 / 1.004)
       map (fmap isFound . among) [[], [oneFrame 0.004 there], [oneFrame 0.2 there]]
         `shouldBe` [Just True, Just True, Just False]
-  it "other axes weigh as their odds are beforehand, where the array has them as likely" $ do
-    -- Six columns by frames of two, and as many rows; along other axes whole frames move.
+  it "other axes add doubt by their prior odds, if the array has their symbols as well" $ do
+    -- Six columns by frames of two, and as many rows. Along other axes whole frames move.
     let acrossFlipped (x, y) = (negate x, y)
         downFlipped (x, y) = (x, negate y)
         told classes size stated flipped =
@@ -299,15 +299,15 @@ foreignSpec setting = do
     sixColumns downFlipped `shouldSatisfy` maybe False (< 1e-6)
     sixColumns acrossFlipped `shouldSatisfy` maybe False (< 1e-6)
     sixColumns id `shouldBe` Just 0
-    -- One frame across, of a column each: the array is its own column mirror.
+    -- One frame across for each column: the array is its own column mirror.
     let ofColumns place stated = told (ours 4 3 place) (4, 1) stated acrossFlipped
-    -- On one face, and in reverse on several, which is no less doubted for that.
+    -- On one face, and in reverse on several, which lowers no doubt.
     ofColumns (Position 4 7) False `shouldSatisfy` near' 1e-6 (0.004 / 1.004)
     ofColumns (Position 4 7) True `shouldSatisfy` near' 1e-6 (0.001 / 1.001)
-    -- On several faces, and in reverse on one, which is 200 times as probable beforehand.
+    -- On several faces, and in reverse on one, which has 200 times the prior probability.
     ofColumns (Position 4 9) False `shouldSatisfy` near' 1e-6 (0.8 / 1.8)
     ofColumns (Position 4 9) True `shouldSatisfy` near' 1e-6 (0.2 / 1.2)
-  it "a strip may have slipped by a cell, unless the array tells that it has not" $ do
+  it "a strip may have slipped by a cell, unless the array shows that it has not" $ do
     let strip classes x = (compositeOf (drawing classes)) {compositeOrigin = (x * 25.4, 0)}
         between a b = map (take (b - a) . drop a) (ours 4 4 (Position 4 0))
         slip composites = do
@@ -327,7 +327,7 @@ foreignSpec setting = do
             [here {compositeContradiction = Just nowhere}]
         nowhere = AgreeingAnywhere 9 3 2
     fmap recognisedAnswer told `shouldBe` Right (Left (FramesContradict nowhere))
-  it "of arrangements of six symbols, half of them foreign, as many are wrong as is told" $
+  it "of arrangements of six symbols, half of them foreign, as many are wrong as the doubts say" $
     let count = byEffort 15 100
         byChance = vectorOf 2 (vectorOf 3 (choose (0, 3)))
         ofOthers = do
@@ -351,10 +351,10 @@ foreignSpec setting = do
     axesDoubt composites = do
       found <- either (const Nothing) Just (recogniseWith standardTolerance reader composites)
       doubtOfAxes . supportDoubts <$> recognisedSupport found
-    -- A composite as its lattice shows it, which leaves no doubt of the classes in its cells.
+    -- A composite with its lattice, which leaves no doubt of the classes in its cells.
     latticed classes = (compositeOf (drawing classes)) {compositeLattice = latticeOf classes}
     latticeOf classes = inFrames (length classes, length (concat (take 1 classes))) id classes
-    -- The lattice under frames of so many rows and columns of cells, each moved as a whole.
+    -- The lattice under frames of this many rows and columns of cells, each moved as a whole.
     inFrames (high, wide) move classes =
       Just
         Lattice

@@ -1,7 +1,7 @@
 {-# LANGUAGE RankNTypes #-}
 
--- | Any array can be pressed and recognised: as a plate, by relief that is drawn for a region
--- alone, and without comparing with all positions.
+-- | Tests that any array can be pressed and recognised: as a plate, with relief drawn for a region
+-- only, and without comparing all positions.
 module Test.Recognition.AnyArray (spec) where
 
 import Data.Foldable (for_)
@@ -53,7 +53,7 @@ spec = do
 
 plateSpec :: Spec
 plateSpec = do
-  it "has every window that does not stick out, where it is in the array, and no other" $
+  it "has each window that lies inside, at its place in the array, and no other" $
     forAll ((,) <$> elements [1 .. 9] <*> elements [1 .. 9]) $ \(high, wide) ->
       forAll ((,) <$> elements [1 .. 3] <*> elements [1 .. 3]) $ \(h, w) ->
         whenRight (platePlacement (Shape high wide)) $ \plate ->
@@ -78,7 +78,7 @@ plateSpec = do
     map told (laidFaces plate)
       `shouldBe` [("S1 S2 S3 S4", (Position 0 0, Shape 15 17), [(431.8, 476.25), (0, 0)])]
     upper `shouldBe` [Point 0 476.25 25.4, Point 0 0 25.4]
-  it "no array is a plate without cells" $
+  it "does not exist for an array without cells" $
     for_ [Shape 0 5, Shape 5 0] $ \shape ->
       either Just (const Nothing) (platePlacement shape) `shouldBe` Just (EmptyArray shape)
   where
@@ -87,14 +87,14 @@ plateSpec = do
 reliefSpec :: Spec
 reliefSpec = do
   withCases 7 60 $
-    it "a region is felt by the relief under it as by the whole face's, to the bit" $
+    it "gives a region the same frames as the whole face's relief, to the bit" $
       forAll ((,) <$> elements sensors <*> pure Nothing) $
         feltAlike ((,) <$> choose (18, 70) <*> choose (18, 90))
   withCases 5 40 $
-    it "so also bent, by a narrow sensor that is turned anyhow and comes down on all of it" $
+    it "gives the same frames on bent faces, with a narrow sensor at any rotation" $
       forAll ((,) soft . Just <$> (Bend (1.001 * leastRadius soft) <$> elements [minBound ..])) $
         feltAlike ((,) <$> choose (18, 40) <*> choose (30, 60))
-  it "what is drawn is the whole's rows and columns" $
+  it "is drawn as the same rows and columns of the whole" $
     whenRight (platePlacement (Shape 15 17)) $ \plate ->
       onArray canonicalProfile plate paperReader $ \setting ->
         let drawn = [(whole, heightValues (reliefHeights whole)) | (_, whole) <- facesFelt setting]
@@ -103,7 +103,7 @@ reliefSpec = do
                 forAll ((,) <$> choose (1, 70) <*> choose (1, 90)) $ \size ->
                   fmap toRows (crop at size heights)
                     === Right (toRows (reliefDrawn whole at size))
-  it "of a plate of four million cells no more is drawn than the region and what surrounds it" $
+  it "of a plate of four million cells is drawn only for the region and its surroundings" $
     withLarge $ \setting ->
       forAll (choose (1, 99999)) $ \seed ->
         forAllBlind (elements (facesFelt setting)) $ \(face, whole) ->
@@ -159,7 +159,7 @@ decoderSpec :: Spec
 decoderSpec = do
   for_ arrays $ \(name, profile, surfaces) ->
     withCases 7 60 $
-      it ("a grid is where comparing with all positions has it: " ++ name) $
+      it ("finds a grid where comparing all positions does: " ++ name) $
         forAll (elements surfaces) $ \surface ->
           onBothRoads profile surface $ \array reader without ->
             forAllBlind (scenesOf surface array) $ \scene ->
@@ -173,7 +173,7 @@ decoderSpec = do
                             []
                             (FaceGrid (scattered scene) [] [] (0, 0))
                      in agreeing tolerated (found reader) (found without)
-  it "what is too much to decode is refused by name" $
+  it "refuses by name what is too much to decode" $
     onBothRoads canonicalProfile Torus $ \array reader without ->
       let cells =
             Map.fromList
@@ -190,14 +190,14 @@ decoderSpec = do
                   Undecoded (LocatorAlgebra (AlgebraCells _)) -> True
                   _ -> False
             ]
-  it "an array on a surface that is foreign to it has no recogniser without a codebook" $
+  it "an array needs a codebook on a surface that is foreign to it" $
     onPaper $ \(Setting array mask layout symbols) ->
       let refused most =
             either Just (const Nothing) $
               recogniserUpTo most (ArrayOn TwistedTorus array) mask layout symbols
        in [refused 255, refused 254]
             === [Nothing, Just (RecogniserArray (LocatorPatch (TooManyPlaces 255 254)))]
-  it "a press costs what was touched from 2^16 cells on, unless nothing but comparing leads there" $
+  it "from 2^16 cells on, the cost depends on the press, except where only comparing works" $
     once . conjoin $
       [ withPlate choice $ \setting ->
           let locator = recogniserLocator (recogniserOn surface setting)
@@ -221,7 +221,7 @@ decoderSpec = do
                  [chooseProfile (profileChoice 4 [2, 1, 1, 0, 0, 0, 1] (Shape 63 65))]
            ]
 
--- | Scenes as an array on a surface has them from one of its first positions on.
+-- | Scenes of symbols as an array on a surface has them from one of its first positions on.
 scenesOf :: KnownField k => Surface -> PseudorandomArray k -> Gen Scene
 scenesOf surface array = genScene cell [1e-7, 0.0005, 0.01, 0.09, 0.2, 0.8]
   where
@@ -246,9 +246,9 @@ onBothRoads profile surface test =
       let made most = recogniserUpTo most (ArrayOn surface array) mask nothingLaid symbols
        in whenRight ((,) <$> made (2 ^ (20 :: Int)) <*> made 0) (property . uncurry (test array))
 
--- | What is found without a codebook beside what is found with it: what it places is there; its
--- doubts are those, or more; and where it places nothing, more than half of what is tolerated is in
--- doubt.
+-- | Compares a location without a codebook with one that has it. If both place the grid, the place
+-- is equal and the doubt no smaller. If only the exact one places it, the other's doubt exceeds
+-- half of what is tolerated.
 agreeing :: Double -> GridLocation -> GridLocation -> Property
 agreeing tolerated exact bounded = case (locationOutcome exact, locationOutcome bounded) of
   (Placed a, Placed b) ->
@@ -267,15 +267,15 @@ agreeing tolerated exact bounded = case (locationOutcome exact, locationOutcome 
 
 pressSpec :: Spec
 pressSpec = do
-  it "in its corners and along its edges are located: the paper's array" $
+  it "are located in its corners and along its edges: the paper's array" $
     whenRight (platePlacement (Shape 15 17)) $ \plate ->
       onArray canonicalProfile plate paperReader (`locatedAround` (40, 52))
-  it "in its corners and along its edges are located: 2047 x 2049 cells" $
+  it "are located in its corners and along its edges: 2047 x 2049 cells" $
     withLarge (`locatedAround` (80, 80))
 
 edgeSpec :: Spec
 edgeSpec =
-  it "are right or refused, and most are right" $
+  it "are decoded right or refused, and most are right" $
     onPaper $ \setting ->
       let count = byEffort 1 12
           -- The face of the cube is 80 taxels wide.

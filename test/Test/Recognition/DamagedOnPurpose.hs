@@ -1,5 +1,5 @@
--- | Recognition when symbols are missing, wrong, unclear, in groups apart or in several composites:
--- pictures of cells of the array whose place is known, damaged on purpose.
+-- | Tests recognition when symbols are missing, wrong, unclear, in separate groups or in several
+-- composites: pictures of cells of the array whose place is known, damaged on purpose.
 module Test.Recognition.DamagedOnPurpose (spec) where
 
 import Control.Monad (when)
@@ -46,8 +46,8 @@ spec = onPaper $ \setting -> do
 damageSpec :: KnownField k => Setting k -> Spec
 damageSpec setting = do
   describe "missing symbols" $ do
-    it "of a 3 x 3 block any four may be missing that leave four independent ones" $
-      -- In a quick run every fifth choice, so that each of the places has some.
+    it "a 3 x 3 block may lack any four symbols, if four independent ones remain" $
+      -- A quick run takes every fifth choice, which covers each of the places.
       for_
         ( everyNth (byEffort 5 1) $
             zip (choose4 [0 .. 8]) (cycle [Position 1 1, Position 5 6, Position 14 16])
@@ -60,13 +60,13 @@ damageSpec setting = do
           case answer of
             Right found@(Found _) -> (unique, placed place damaged found) `shouldBe` (True, True)
             other -> (unique, either refusalName (const "several") other) `shouldSatisfy` not . fst
-    it "symbols in a row tell the place where they are enough: five of a row, no window complete" $
+    it "symbols in a row give the place if they suffice: five of a row, without a complete window" $
       for_ [Position 4 5, Position 8 0, Position 12 12] $ \place -> do
         let kept = [Position 0 j | j <- [0 .. 5]]
             unique = and [differing kept other place > 0 | other <- everywhere, other /= place]
         answer <- read' (cells 1 6 place)
         either (const False) (placed place (cells 1 6 place)) answer `shouldBe` unique
-    it "a window that is not complete is where the symbols are" $ do
+    it "an incomplete window is placed where the symbols are" $ do
       answer <- read' (removing [1, 3, 5, 7] (cells 3 3 (Position 4 5)))
       case answer of
         Right (Found found) -> do
@@ -79,7 +79,7 @@ damageSpec setting = do
       [(face, spot, which) | (face, spot, Just which) <- told, which /= Just face] `shouldBe` []
       length [() | (_, _, Just _) <- told] `shouldSatisfy` (> 20)
   describe "wrong symbols" $ do
-    it "of a 3 x 3 block any one may be wrong or upside down: it is named" $
+    it "any one symbol of a 3 x 3 block may be wrong or upside down, and is named" $
       for_ (zip [0 .. 8] (cycle [Position 0 0, Position 7 9, Position 13 15])) $ \(i, place) ->
         for_ wrongs $ \change -> do
           let damaged = changing i change (cells 3 3 place)
@@ -90,12 +90,12 @@ damageSpec setting = do
                 fmap (length . supportWrong) (recognisedSupport recognition) `shouldBe` Just 1
             Right _ -> expectationFailure "wrong"
             Left why -> expectationFailure (refusalName why)
-    it "two are never corrected to a third place: right, or refused" $
+    it "a block with two wrong symbols is never corrected to a third place: right, or refused" $
       for_ [(i, j) | i <- [0 .. 8], j <- [i + 1 .. 8]] $ \(i, j) -> do
         answer <- read' (changing i (otherBy 1) (changing j (otherBy 2) (cells 3 3 (Position 7 9))))
         answer
           `shouldSatisfy` either (const True) (placed (Position 7 9) (cells 3 3 (Position 7 9)))
-    it "of a 2 x 3 block, whose distance is 2, one is noticed and refused" $
+    it "a 2 x 3 block, of distance 2, is refused with one wrong symbol" $
       for_ [0 .. 5] $ \i -> for_ [1, 2, 3] $ \by -> do
         answer <- read' (changing i (otherBy by) (cells 2 3 (Position 7 9)))
         answer `shouldSatisfy` either (const True) (const False)
@@ -104,34 +104,34 @@ damageSpec setting = do
           lax = Tolerance 0.9 (UpTo 1) 0 Nothing 0
       answer <- recognisedAnswer <$> recognisedWith lax [shown damaged]
       answer `shouldSatisfy` either (const False) (const True)
-    it "no doubt tolerated, no answer" $ do
+    it "there is no answer if no doubt is tolerated" $ do
       answer <-
         recognisedAnswer
           <$> recognisedWith
             (Tolerance 0 Guaranteed 0 Nothing 0)
             [shown (cells 2 2 (Position 6 5))]
       either Just (const Nothing) answer `shouldBe` Just (NotLocated BelowThreshold)
-    it "all zeros are refused: zero-window" $ do
+    it "a block of zeros is refused as zero-window" $ do
       answer <- read' (replicate 2 (replicate 2 (Just (0, id))))
       either Just (const Nothing) answer `shouldBe` Just (NotLocated ZeroWindow)
   describe "groups" $ do
-    it "two groups a blank column apart are one patch: neither alone is enough" $ do
+    it "two groups a blank column apart are one patch, though neither suffices alone" $ do
       let apart = removing [1, 4] (cells 2 3 (Position 6 5))
       answer <- read' apart
       either (const False) (placed (Position 6 5) apart) answer `shouldBe` True
       alone <- read' (map (take 1) apart)
       either Just (const Nothing) alone `shouldBe` Just (NotLocated NoCompleteWindow)
-    it "a group that is no whole number of cells away contradicts the grid" $ do
+    it "a group that is not a whole number of cells away contradicts the grid" $ do
       let image = beside 8 (drawing (cells 2 2 (Position 6 5))) (drawing (cells 2 2 (Position 6 8)))
       answer <- answerTo [compositeOf image]
       either Just (const Nothing) answer `shouldBe` Just GridContradicts
-    it "whole groups that lead to different places are named as that" $ do
+    it "whole groups that lead to different places are refused as contradicting windows" $ do
       let image =
             beside 16 (drawing (cells 2 2 (Position 6 5))) (drawing (cells 2 2 (Position 2 2)))
       answer <- answerTo [compositeOf image]
       either Just (const Nothing) answer `shouldBe` Just WindowsContradict
   describe "several composites of one face" $ do
-    it "that are too little each are enough together, whichever way the face lies" $
+    it "that are too small alone are enough together, whichever way the face lies" $
       for_
         [ (id, \c -> (25.4 * c, 0)),
           (onRaster (turned 2), \c -> (-25.4 * c, 0)),
@@ -152,14 +152,14 @@ damageSpec setting = do
           for_ [left, right] $ \one' -> do
             alone <- answerTo [one']
             either Just (const Nothing) alone `shouldBe` Just (NotLocated NoCompleteWindow)
-    it "a symbol that both show counts for both" $ do
+    it "count a symbol that both show twice" $ do
       let left = shown (cells 2 2 (Position 6 5))
           right = (shown (cells 2 2 (Position 6 6))) {compositeOrigin = (25.4, 0)}
       recognition <- recognisedWith standardTolerance [left, right]
       fmap supportAgreeing (recognisedSupport recognition) `shouldBe` Just 8
       fmap (map symbolCell . positionsOf) (rightOf (recognisedAnswer recognition))
         `shouldBe` Just (sort [Position (6 + i) (5 + j) | i <- [0, 1], j <- [0, 1, 1, 2]])
-    it "one that is a cell out of place beside larger ones is outvoted and named" $ do
+    it "outvote and name a composite that is a cell out of place beside larger ones" $ do
       let left = shown (cells 3 3 (Position 6 5))
           middle =
             (shown (cells 3 3 (Position 6 8))) {compositeOrigin = (3 * 25.4, 0)}
@@ -172,7 +172,7 @@ damageSpec setting = do
         (placed (Position 6 5) (cells 3 6 (Position 6 5)) . withoutSource 2 recognition)
         (recognisedAnswer recognition)
         `shouldBe` True
-    it "one is named just when more of its certain symbols are wrong than not" $
+    it "name a composite exactly if more than half of its certain symbols are wrong" $
       for_ [(1, 0), (1, 1), (2, 0), (2, 1), (3, 1), (3, 2)] $ \(n, wrong) -> do
         let left = shown (cells 3 3 (Position 6 5))
             line = foldr (\i -> changing i (otherBy 1)) (cells 1 n (Position 6 8)) [0 .. wrong - 1]
@@ -180,14 +180,14 @@ damageSpec setting = do
         recognition <- recognisedWith standardTolerance [left, right]
         (n, wrong, fmap supportInconsistent (recognisedSupport recognition))
           `shouldBe` (n, wrong, Just [1 | 2 * wrong > fromIntegral n])
-    it "composites a cell out of place contradict each other" $ do
+    it "contradict each other if they are a cell out of place" $ do
       let left = shown (cells 2 2 (Position 6 5))
           right =
             (shown (cells 2 2 (Position 6 8))) {compositeOrigin = (2 * 25.4, 0)}
       answer <- answerTo [left, right]
       answer `shouldSatisfy` either (const True) (const False)
   describe "parts of symbols" $ do
-    it "a 2 x 2 block cut through its last row or column, or its first, is found by what is left" $
+    it "a 2 x 2 block cut through its last row or column, or its first, is found by the rest" $
       for_ [Position 6 5, Position 4 5, Position 8 5] $ \place -> for_ [0 .. 5] $ \cut -> do
         let whole = drawing (cells 2 2 place)
             (w, h) = rasterSize whole
@@ -201,7 +201,7 @@ damageSpec setting = do
             answer <- answerTo [compositeOf (cropped (l, t, r, b) whole)]
             (cut, fmap (map symbolCell . positionsOf) (rightOf answer))
               `shouldBe` (cut, Just (sort (blockFrom 2 2 place)))
-    it "they are not counted among the symbols known, and a flat place is none" $ do
+    it "a part is not counted as a symbol, and a flat place is no part" $ do
       recognition <-
         recognisedWith
           standardTolerance
@@ -211,7 +211,7 @@ damageSpec setting = do
       map readClass (recognisedParts recognition) `shouldBe` [Nothing, Nothing]
       flat <- recognised (removing [3] (cells 2 2 (Position 6 5)))
       length (recognisedParts flat) `shouldBe` 0
-    it "of any rectangle of a symbol the likeliest shape is one that has it" $
+    it "of any rectangle of a symbol the likeliest shape is one that contains it" $
       for_ (zip [0 ..] (shapes alphabetOfAll)) $ \(c, shape) ->
         for_ [identity, turned 2] $ \symmetry ->
           for_
@@ -240,7 +240,7 @@ damageSpec setting = do
                   inPlace = lookup (c, symmetry) distances >>= lookup (0, 0)
                   bestInPlace = lookup (estimateLikeliest e) distances >>= lookup (0, 0)
               inPlace `shouldBe` Just 0
-              -- Another one that has it is likelier where it has it moved, too.
+              -- Another shape that contains it is likelier if it also contains it when moved.
               bestInPlace `shouldBe` Just 0
               estimateChance e (c, symmetry)
                 `shouldSatisfy` \p -> p > estimateChance e (estimateLikeliest e) / 8
@@ -261,7 +261,7 @@ damageSpec setting = do
         let cells' = cells 2 2 place
         onSheet <- recognisedOn Sheet standardTolerance [shown cells']
         either (const False) (placed place cells') (recognisedAnswer onSheet) `shouldBe` True
-    it "windows of the torus are found, and told as on a face just where they are on one" $ do
+    it "windows of the torus are found, and lie on a face exactly if the face has them" $ do
       let onFaces =
             [ Position (row at + i) (column at + j)
               | face <- laidFaces (settingLayout setting),
@@ -346,7 +346,7 @@ damageSpec setting = do
         ]
     wrongs = [otherBy 1, otherBy 2, otherBy 3, \(c, change) -> (c, onRaster (turned 2) . change)]
     otherBy by (c, change) = ((c + by) `mod` 4, change)
-    -- Every symbol drawn is told to lie where the block's cell is, if its upper left cell is at the
+    -- Every drawn symbol is placed at its cell of the block whose upper left cell is at the
     -- position.
     placed :: Position -> Drawn -> Identification -> Bool
     placed (Position r c) drawn answer = case answer of
@@ -378,7 +378,7 @@ numbered f cells =
   where
     wide = maximum (0 : map length cells)
 
--- | The first of each so many.
+-- | Every n-th element, from the first on.
 everyNth :: Int -> [a] -> [a]
 everyNth n list = [item | (k, item) <- zip [0 ..] list, k `mod` n == 0]
 
@@ -388,10 +388,10 @@ choose4 xs = [[a, b, c, d] | a <- xs, b <- xs, a < b, c <- xs, b < c, d <- xs, c
 -- | Are the doubts of symbols honest? Simulated explorations, whose truth is known.
 doubtSpec :: KnownField k => Setting k -> Spec
 doubtSpec setting = describe "the doubt of a symbol" $ do
-  -- The bounds leave the few trials of a quick run more room: it notices if many symbols are told
-  -- wrong.
+  -- The bounds leave more room to the few trials of a quick run, which notices if many symbols are
+  -- read wrong.
   for_ (byEffort [(0.1, 6), (0.4, 8)] [(0.1, 60), (0.3, 30), (0.4, 40)]) $ \(noise, count) ->
-    it ("is as large as the share of wrong ones, or larger, with noise " ++ show noise) $ do
+    it ("is at least the share of wrong symbols, with noise " ++ show noise) $ do
       let doubts =
             concatMap
               (judged noise)
@@ -412,12 +412,12 @@ doubtSpec setting = describe "the doubt of a symbol" $ do
           expected = sum (map fst doubts)
           wrong = fromIntegral (length (filter snd doubts)) :: Double
       length doubts `shouldSatisfy` (> byEffort count 100)
-      -- Wrong ones come in clusters, several to a badly stitched composite, and so vary more than
-      -- independent ones.
+      -- Wrong symbols come in clusters, several to a badly stitched composite, and so vary more
+      -- than independent ones.
       wrong `shouldSatisfy` (<= expected + 5 * sqrt (expected + 1))
       when (noise > 0.35) $ wrong `shouldSatisfy` (>= expected - 5 * sqrt (expected + 1))
   -- Parts are often in doubt, and bounds for the few of a quick run would notice nothing.
-  whenFull . it "that is only partly seen is honest, too" $ do
+  whenFull . it "is at least the share of wrong ones for parts of symbols, too" $ do
     let reader = recogniserOf setting
         ofParts t = case stitch standardRegistration (trialFrames t)
           >>= \c -> either (const (Left NoFrames)) (Right . (,) c) (recognise reader c) of
@@ -460,7 +460,7 @@ doubtSpec setting = describe "the doubt of a symbol" $ do
                     && estimateDoubt e <= 7 / 8 + 1e-9
                     && abs (sum (map snd (estimateChances e)) - 1) < 1e-9
                 )
-  it "is least for the shapes themselves, which are told right in both orientations" $
+  it "is least for the shapes themselves, which are read right in both orientations" $
     for_ (zip [0 ..] (shapes alphabetOfAll)) $ \(c, shape) ->
       for_ [identity, turned 2] $ \symmetry ->
         case estimate
@@ -472,7 +472,7 @@ doubtSpec setting = describe "the doubt of a symbol" $ do
           Right e -> do
             estimateLikeliest e `shouldBe` (c, symmetry)
             estimateDoubt e `shouldSatisfy` (< 1e-4)
-  it "a shape matches itself, and no other as well" $
+  it "each shape matches itself, and no other shape nearly as well" $
     for_ (zip [0 ..] (shapes alphabetOfAll)) $ \(c, shape) ->
       for_ [0 .. 3] $ \other ->
         match (templates alphabetOfAll) other (toRaster shape)
@@ -484,7 +484,7 @@ doubtSpec setting = describe "the doubt of a symbol" $ do
     alphabetOfAll = readerAlphabet (settingReader setting)
     net = readerNetwork (settingReader setting)
     sure = standardCalibration 4
-    -- Of each symbol the doubt, and whether the likeliest is wrong.
+    -- The doubt of each symbol, and whether its likeliest class is wrong.
     judged noise t = case stitch standardRegistration {registrationNoise = noise} (trialFrames t) of
       Left _ -> []
       Right composite ->

@@ -1,5 +1,5 @@
--- | The whole way with every shipped alphabet: an array over each field as a plate, pressed and
--- decoded; and what becomes of it where press and decoder do not mean the same shapes.
+-- | Tests the whole way with every shipped alphabet: an array over each field as a plate, pressed
+-- and decoded; and what happens if press and decoder use different shapes.
 module Test.Recognition.EveryAlphabet (spec) where
 
 import qualified Data.ByteString as Bytes
@@ -37,7 +37,7 @@ import Test.Support
 
 spec :: Spec
 spec = do
-  -- A quick run has a field of two elements, one of a prime, and one of a prime's square; the
+  -- A quick run has a field of two elements, one of a prime, and one of a prime's square. The
   -- paper's array is over another.
   for_ (byEffort [2, 7, 9] others) $ \q ->
     it ("presses in corners and along edges are located: GF(" ++ show q ++ ")") . ioProperty $ do
@@ -47,7 +47,7 @@ spec = do
       -- With windows of four rows, more of them must be felt.
       let size = if q == 2 then (40, 92) else (40, 52)
       pure (onArray profile plate symbols (`locatedAround` size))
-  it "classes exchanged, shapes and outputs alike, are told exchanged" $
+  it "exchanging classes, shapes and outputs alike, exchanges the answers" $
     for_ shippedSizes $ \q -> do
       symbols <- right (shippedReader q)
       let -- The first becomes the last.
@@ -72,7 +72,7 @@ spec = do
         for_ (estimateChances after) $ \(what, chance) ->
           estimateChance before (back what) `shouldSatisfy` \p -> abs (p - chance) < 1e-12
         elemIndex shape (shapes given) `shouldBe` Just (fst (estimateLikeliest before))
-  it "an image turned by 180 degrees is told turned, each class and both ways up" $
+  it "an image turned by 180 degrees is read as turned, for each class and both ways up" $
     for_ shippedSizes $ \q -> do
       symbols <- right (shippedReader q)
       let given = readerAlphabet symbols
@@ -99,7 +99,7 @@ spec = do
         shown <- right (classified (networkClassifier symbols) spoilt)
         (q, noise, classifiedVerdict shown) `shouldSatisfy` \(_, _, v) -> v /= Recognised
   for_ (byEffort (take 1) id [(4, 9), (3, 4), (5, 8)]) $ \(q, other) ->
-    it (pressedWith q other ++ " is not told as certain") $ do
+    it (pressedWith q other ++ " is not read as certain") $ do
       profile <- if q == 4 then pure canonicalProfile else shippedProfile q
       plate <- right (platePlacement (profileShape profile))
       theirs <- right (shippedAlphabet other)

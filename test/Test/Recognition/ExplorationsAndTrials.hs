@@ -1,4 +1,4 @@
--- | Explorations and what comes of them: regions, presses, trials and their counts, each against
+-- | Tests explorations and their results: regions, presses, trials and their counts, each against
 -- its definition.
 module Test.Recognition.ExplorationsAndTrials (spec) where
 
@@ -38,7 +38,7 @@ spec = do
     countSpec
     onPaper $ \setting -> resultSpec (recogniserOf setting) (facesFelt setting)
 
--- | A face of that many taxels, with a grid of that many rows and columns.
+-- | A face of this many taxels, with a grid of this many rows and columns.
 faceOf :: (Int, Int) -> Shape -> LaidFace
 faceOf (wide, high) grid =
   LaidFace
@@ -59,7 +59,7 @@ faceOf (wide, high) grid =
   where
     taxels n = fromIntegral n * 127 / 80
 
--- | So many draws, and the generator after them.
+-- | This many draws, and the generator after them.
 draws :: Int -> StdGen -> ([Double], StdGen)
 draws n g = (take n (unfoldr (Just . uniform) g), iterate (snd . uniform) g !! n)
 
@@ -77,8 +77,7 @@ genTurns =
 regionSpec :: Spec
 regionSpec = do
   it
-    "the smallest rectangle around a region lies uniformly on the face, or in its middle; round a \
-    \face shorter than it the region lies uniformly"
+    "a region's bounding box is uniform on the face or centred; a longer region is uniform"
     $ forAll genTurns $ \turns ->
       forAll ((,) <$> choose (1, 60) <*> choose (1, 60)) $ \(width, height) ->
         forAll ((,) <$> choose (30, 90) <*> choose (30, 90)) $ \(wide, high) ->
@@ -102,7 +101,7 @@ regionSpec = do
                 (across, down)
                   | exchangesAxes symmetry = (height, width)
                   | otherwise = (width, height)
-                -- Where the region's middle is, as its distance from the face's edge.
+                -- The place of the region's middle, as its distance from the face's edge.
                 middle share face along other
                   | along > face = fromIntegral along / 2 + share * fromIntegral (face - along)
                   | rectangle >= fromIntegral face = fromIntegral face / 2
@@ -134,7 +133,7 @@ regionSpec = do
            in near (fst (regionCorner region)) (1.5875 * right')
                 .&&. near (snd (regionCorner region)) (1.5875 * down)
                 .&&. regionTurn region === (if whole < 0 then 360 + whole else whole)
-  it "of rotations each is drawn as often, within five standard errors" $ do
+  it "each rotation is drawn equally often, within five standard errors" $ do
     let way seed =
           regionSymmetry . fst $
             drawnRegion
@@ -148,12 +147,12 @@ regionSpec = do
 
 pressSpec :: Spec
 pressSpec = do
-  it "neighbouring presses are half a sensor's shorter side apart, and a taxel at least" $
+  it "neighbouring presses are half of the sensor's shorter side apart, and at least a taxel" $
     forAll ((,) <$> choose (1, 40) <*> choose (1, 40)) $ \(wide, high) ->
       defaultSpacing idealSensor {sensorColumns = wide, sensorRows = high}
         === (if min wide high < 2 then 1 else min wide high `div` 2)
   withCases 2 15
-    . it "a region's frames are the plan's, with what is felt where the region has them"
+    . it "a region's frames are the plan's, with what is felt at these places of the region"
     $ forAll ((,,) <$> elements [16, 12] <*> elements [8, 10, 16] <*> choose (1, 9)) $
       \(wide, high, spacing) -> forAll ((,) <$> choose (16, 24) <*> choose (16, 24)) $ \size ->
         forAll ((,) <$> elements rotations <*> elements [0, 0, 20]) $ \(symmetry, angle) ->
@@ -188,7 +187,7 @@ pressSpec = do
 trialSpec :: Spec
 trialSpec = do
   withCases 2 6
-    . it "each is of the next face, with a generator of its own, split from the seed"
+    . it "each trial takes the next face, with its own generator, split from the seed"
     $ forAll ((,) <$> choose (1, 3) <*> choose (1, 99999)) $ \(count, seed) ->
       forAll (elements [AnyAngle, AmongTurns rotations, TurnedBy 30]) $ \turns ->
         let faces = [(faceOf (64 + k, 70) (Shape 2 3), scene) | k <- take count [0 ..]]
@@ -197,7 +196,7 @@ trialSpec = do
             told t = (trialFace t, trialRegion t, trialForeign t, map framePose (trialFrames t))
          in map (fmap told) (take 5 (trials how faces seed))
               === take 5 (zipWith (\face -> fmap told . trial how face) (cycle faces) generators)
-  it "a trial is the region drawn, and its frames are the presses of it" $
+  it "a trial is the drawn region, and its frames are the presses of that region" $
     forAll ((,) <$> choose (1, 99999) <*> elements [Nothing, Just (Bend 30 AboutX)]) $
       \(seed, bend) ->
         let how =
@@ -215,30 +214,30 @@ trialSpec = do
               pure (face, region, frames, False)
             told t = (trialFace t, trialRegion t, trialFrames t, trialForeign t)
          in isJust wanted .&&. fmap told (trial how (face, scene) (mkStdGen seed)) === wanted
-  it "as many presses are foreign as is said, within five standard errors" $
+  it "the share of foreign presses is the stated one, within five standard errors" $
     for_ [(0, 0), (0.3, 5 * sqrt (600 * 0.21)), (1, 0)] $ \(share, most) -> do
       let found = concatMap (trialOn (chances share (const True))) [1 .. 600]
       length found `shouldBe` 600
       abs (genericLength (filter id found) - 600 * share) `shouldSatisfy` (<= most)
-  it "foreign symbols fill the face's grid, each class in each cell as likely as any" $ do
+  it "foreign symbols fill the face's grid, with each class equally likely in each cell" $ do
     let those predicate = concatMap (trialOn (chances 1 predicate)) [1 .. 600]
         often predicate = genericLength (those predicate) / 600 :: Double
     length (those (all (all (`elem` [0 .. 2])))) `shouldBe` 600
     for_ [0 .. 2] $ \c ->
       for_ [(0, 0), (1, 2), (2, 3)] $ \(i, j) ->
         often (\symbols -> symbols !! i !! j == c) `shouldSatisfy` nearly (1 / 3)
-    -- Neighbours are alike as often as chance has it, along rows and from row to row.
+    -- Neighbours are equal as often as chance has it, along rows and from row to row.
     often (\symbols -> symbols !! 0 !! 0 == symbols !! 0 !! 1) `shouldSatisfy` nearly (1 / 3)
     often (\symbols -> symbols !! 0 !! 3 == symbols !! 1 !! 0) `shouldSatisfy` nearly (1 / 3)
-  it "of presses on other arrays there are as many as is said, of each alike many" $ do
+  it "the share of presses on other arrays is the stated one, equal for each array" $ do
     let drawn laid =
           trialOn (chances 0.2 laid) {foreignArrays = 0.5, foreignFaces = map face [0 .. 3]}
         face c = const (const c)
         often laid = genericLength (filter id (concatMap (drawn laid) [1 .. 600])) / 600 :: Double
     often (const True) `shouldSatisfy` nearly 0.7
-    -- Twelve cells by chance are all alike once in many thousand times.
+    -- Twelve cells by chance are all equal once in many thousand times.
     for_ [0 .. 3] $ \c -> often (all (all (== c))) `shouldSatisfy` nearly 0.125
-  it "what is foreign is pressed in place of the face, and what has no relief is no trial" $ do
+  it "a foreign surface is pressed in place of the face; without a relief there is no trial" $ do
     let pressed drawn =
           trial
             (exploration idealSensor (AmongTurns [identity]) (16, 16))
@@ -264,9 +263,10 @@ trialSpec = do
               fromMaybe (0 / 0) (index (heightValues heights) (x + i) (y + j)),
           reliefBend = heightBend heights
         }
-    -- Of 600, within five standard errors.
+    -- A share of 600, within five standard errors.
     nearly share found = abs (found - share) < 5 * sqrt (share * (1 - share) / 600 :: Double)
-    -- A share of arrangements by chance; those that are not so cannot be pressed.
+    -- Arrangements by chance in this share of presses. Those that fail the predicate cannot be
+    -- pressed.
     chances share predicate =
       Foreign
         { foreignShare = share,
@@ -278,7 +278,7 @@ trialSpec = do
           foreignArrays = 0,
           foreignFaces = []
         }
-    -- Whether it is foreign, of a trial; none if what is foreign cannot be pressed.
+    -- Whether a trial is foreign; empty if the foreign surface cannot be pressed.
     trialOn others seed =
       [ trialForeign t
         | Just t <-
@@ -319,7 +319,7 @@ countSpec =
 resultSpec :: KnownField k => Recogniser k -> [(LaidFace, Relief)] -> Spec
 resultSpec reader faces = do
   withCases 1 2
-    . it "an answer is right if face, orientation and place are the true ones, and wrong if not"
+    . it "an answer is right exactly if its face, orientation and place are the true ones"
     $ forAllShow (elements faces) (show . laidFace . fst) $ \face ->
       forAll (choose (1, 99999 :: Int)) $ \seed ->
         case trial (exploration feeling (AmongTurns rotations) (40, 52)) face (mkStdGen seed) of
@@ -357,7 +357,7 @@ resultSpec reader faces = do
                       ]
                         === map (const (Correct <$> stitched)) stillRight
                     ]
-  it "no answer has the refusal's name, and frames that are not put together one of their own" $ do
+  it "a refusal is counted by its name, and a failed registration by a name of its own" $ do
     let asked frames' =
           runTrial
             standardTolerance
@@ -369,7 +369,7 @@ resultSpec reader faces = do
     asked [] `shouldBe` both "not-stitched"
     asked [flat] `shouldBe` both "no-symbols"
   where
-    -- A quick run puts two large frames together, and not many small ones.
+    -- A quick run registers two large frames, and not many small ones.
     feeling = byEffort idealSensor {sensorColumns = 40, sensorRows = 40} idealSensor
     head' = foldr const (faceOf (1, 1) (Shape 1 1), nothing)
     nothing = Relief (0, 0) (0, 0) 1 (\_ (w, h) -> constant w h 0) Nothing

@@ -1,4 +1,4 @@
--- | From bytes to frames and recognition, and the reading of folders.
+-- | Tests the way from bytes to frames and recognition, and the reading of folders.
 module Test.Recognition.FromBytesToAnswers (spec) where
 
 import Control.Exception (IOException, finally, try)
@@ -45,24 +45,24 @@ import Text.Printf (printf)
 spec :: Spec
 spec = do
   describe "a folder as bytes" bytesSpec
-  describe "frames as they are put together" preparedSpec
+  describe "frames prepared for stitching" preparedSpec
   describe "a folder on disk" diskSpec
   describe "decoding" decodeSpec
 
 bytesSpec :: Spec
 bytesSpec = do
-  it "the frames of the folder of frames are those frames" $
+  it "folderFrames of the folder of frames = Right these frames" $
     property $
       forAll (listOf1 genFrame) $ \frames ->
         fmap folderFrames (folderOf frames) === Right (Right frames)
-  it "a name that leads out of the folder, or is none, is refused, even if there are bytes for it" $
+  it "a name that leads out of the folder, or is malformed, is refused, even if it has bytes" $
     [folderFrames (Folder (listed [name]) (Map.singleton name flat)) | name <- elsewhere]
       `shouldBe` map (Left . ImageElsewhere) elsewhere
-  it "an image that is not there, or none, is refused by its name" $ do
+  it "a missing or malformed image is refused by its name" $ do
     folderFrames (Folder (listed ["a.pgm"]) Map.empty) `shouldBe` Left (ImageAbsent "a.pgm")
     folderFrames (Folder (listed ["a.pgm"]) (Map.singleton "a.pgm" (Bytes8.pack "P6")))
       `shouldBe` Left (ImageRefused "a.pgm" (NotPgm (Bytes8.pack "P6")))
-  it "an image of another size than the manifest says is refused with both" $
+  it "an image of another size than the manifest states is refused with both sizes" $
     folderFrames
       (Folder (listed ["a.pgm"]) {manifestFrame = Just (16, 8)} (Map.singleton "a.pgm" flat))
       `shouldBe` Left (ImageSize "a.pgm" (16, 16) (16, 8))
@@ -70,11 +70,11 @@ bytesSpec = do
     let image :: Int -> Int -> Bytes.ByteString
         image wide high = Bytes8.pack ("P5 " ++ show wide ++ " " ++ show high ++ " 255\n")
         refused = either Just (const Nothing) . imageComposite
-    -- Without its samples, one that is not too large is cut off.
+    -- Without its samples, an image that is not too large is cut off.
     refused (image 1024 1024) `shouldBe` Just (Truncated maxImagePixels 0)
     refused (image 1024 1025) `shouldBe` Just (LargerThanTouched 1048576 1024 1025)
     refused (image 1048577 1) `shouldBe` Just (LargerThanTouched 1048576 1048577 1)
-  it "images of more pixels together than frames may have are refused before one is decoded" $ do
+  it "images with too many pixels together are refused before one is decoded" $ do
     let folder n = Folder (listed names) (Map.fromList [(name, half) | name <- names])
           where
             names = take n ["a.pgm", "b.pgm", "c.pgm"]
@@ -120,12 +120,12 @@ flat = either (const Bytes.empty) (encodePgm Binary) (pgmFromIntensity 255 (cons
 
 preparedSpec :: Spec
 preparedSpec = do
-  it "as stated, frames are the folder's, along the axes that the manifest states" $
+  it "by default frames are the folder's, along the axes that the manifest states" $
     forAll ((,) <$> elements (map snd axesNamed) <*> few genFrame) $ \(axes, frames) ->
       whenRight (folderOf frames) $ \folder ->
         preparedFrames asStated (alongTheirs axes folder)
           === Right [frame {framePose = alongAxes axes (framePose frame)} | frame <- frames]
-  it "axes and a pitch that are chosen replace what the manifest states" $
+  it "chosen axes and a chosen pitch replace those of the manifest" $
     forAll ((,) <$> elements (map snd axesNamed) <*> elements (map snd axesNamed)) $
       \(stated, chosen) -> forAll ((,) <$> choose (0.1, 5) <*> few genFrame) $
         \(taxel, frames) -> whenRight (folderOf frames) $ \folder ->
@@ -136,7 +136,7 @@ preparedSpec = do
               [ frame {framePose = alongAxes chosen (framePose frame), frameTaxel = taxel}
                 | frame <- frames
               ]
-  it "frames are corrected by the calibration, which must be of their size" $
+  it "frames are corrected by the calibration, which must have their size" $
     forAll genFrame $ \frame -> whenRight (folderOf [frame]) $ \folder -> do
       let known side =
             Calibration (constant side side 0.25) (constant side side 2) [(3, 4)]
@@ -145,7 +145,7 @@ preparedSpec = do
         === first CalibrationRefused (traverse (corrected (known 16)) [frame])
         .&&. preparedFrames (by 15) folder
         === Left (CalibrationRefused (SensorsDiffer (15, 15) (16, 16)))
-  it "an element that reads full scale wherever the sensor is was not felt" $ do
+  it "an element that reads full scale wherever the sensor is counts as dead" $ do
     let stuck k =
           Frame (Pose (12.7 * fromIntegral k) 0 0) 1 (generate 16 16 (value k)) taxelPitch []
         value :: Int -> Int -> Int -> Double
@@ -155,7 +155,7 @@ preparedSpec = do
     folder <- right (folderOf (map stuck [0 .. 5]))
     fmap (map frameDead) (preparedFrames asStated folder) `shouldBe` Right (replicate 6 [(2, 5)])
     fmap (map frameDead) (folderFrames folder) `shouldBe` Right (replicate 6 [])
-  it "registration supposes the errors stated, a hundredth of a taxel at least" $
+  it "registration assumes the stated errors, but at least a hundredth of a taxel" $
     forAll ((,) <$> few genFrame <*> choose (0.02, 3)) $ \(frames, sigma) -> do
       let told error' noise =
             registrationFor
@@ -172,21 +172,21 @@ preparedSpec = do
           registrationFor nominalStitching frames === standardRegistration
         ]
   where
-    -- Too few for elements to be known as stuck.
+    -- Too few frames for dead elements to be known.
     few gen = choose (1, 5) >>= (`vectorOf` gen)
     alongTheirs axes folder =
       folder {folderManifest = (folderManifest folder) {manifestAxes = Just axes}}
 
 diskSpec :: Spec
 diskSpec = do
-  it "the manifest and the images that it names, and no others" $
+  it "readFolder reads the manifest and the images that it names, and no others" $
     inFolder $ \folder -> do
       Bytes.writeFile (folder </> "a.pgm") flat
       Bytes.writeFile (folder </> "other.pgm") flat
       Bytes.writeFile (folder </> "manifest.csv") (manifest ["a.pgm", "../a.pgm"])
       readFolder folder
         `shouldReturn` Right (Folder (listed ["a.pgm", "../a.pgm"]) (Map.singleton "a.pgm" flat))
-  it "frames are written and read again, by either manifest; the one in JSON goes first" $
+  it "written frames are read again, by either manifest; the one in JSON takes precedence" $
     withMaxSuccess 3 . forAllBlind (vectorOf 3 genFrame) $ \drawn ->
       ioProperty . inFolder $ \folder ->
         forM_ [(standardTaxelGrid, manifestName), (TaxelGrid 16 9 0.8, jsonManifestName)] $
@@ -202,7 +202,7 @@ diskSpec = do
             forM_ files $ \(file, bytes) -> Bytes.writeFile (folder </> file) bytes
             found <- readFolder folder >>= right
             folderFrames found `shouldBe` Right frames
-  it "of more than 8 bits, images have as many grey values as the readings" $
+  it "images of more than 8 bits keep all grey values of the readings" $
     inFolder $ \folder -> do
       let frame = Frame (Pose 0 0 0) 1 (generate 16 16 (\x y -> level (x + y))) taxelPitch []
           level k = fromIntegral (135 * k) / 4095
@@ -210,7 +210,7 @@ diskSpec = do
       forM_ files $ \(file, bytes) -> Bytes.writeFile (folder </> file) bytes
       found <- readFolder folder >>= right
       folderFrames found `shouldBe` Right [frame]
-  it "each thing that is missing or wrong is told apart" $
+  it "each missing or wrong part of a folder has its own error" $
     inFolder $ \folder -> do
       problem (readFolder folder) `shouldReturn` Just (NoManifest folder)
       let none = folder </> "none"
@@ -227,7 +227,7 @@ diskSpec = do
       Bytes.writeFile json Bytes.empty
       problem (readFolder folder)
         `shouldReturn` Just (JsonManifestRefused json (JsonRefused NoText))
-  it "paths are sources: folders, images, and the frames of a folder together" $
+  it "paths become sources: folders, images, and the frames of a folder together" $
     inFolder $ \folder -> do
       let inside name = folder </> name
           frames = inside "frames"
@@ -265,7 +265,7 @@ diskSpec = do
       Bytes.writeFile (frames </> "manifest.json") Bytes.empty
       problem (sourcePaths [frames </> "c.pgm"])
         `shouldReturn` Just (JsonManifestRefused (frames </> "manifest.json") (JsonRefused NoText))
-  it "a file is read if it is no longer than the limit, and a pipe, which has no size, as well" $
+  it "a file or pipe, which has no size, is read if it is no longer than the limit" $
     inFolder $ \folder ->
       forM_ [0 .. 5] $ \size -> forM_ [0 .. 5] $ \limit -> do
         let bytes = Bytes.replicate size 80
@@ -294,21 +294,21 @@ diskSpec = do
                          limit,
                          case [i | i <- [1 .. 3], sum (take i sizes) > limit] of
                            [] -> Nothing
-                           -- Where those before it are empty it is too long by itself.
+                           -- If those before it are empty, it is too long by itself.
                            i : _
                              | sum (take (i - 1) sizes) == 0 ->
                                Just (TooLarge (inside ["abc" !! (i - 1)] ++ ".pgm") limit)
                            _ -> Just (TooLarge folder limit)
                        )
-      -- As it is without being told: each of two below the limit.
+      -- With the default limit: each of two images is below it.
       ofSize 1 "a.pgm" >> ofSize largestInput "b.pgm" >> ofSize 0 "c.pgm"
       problem (readFolder folder) `shouldReturn` Just (TooLarge folder largestInput)
-  it "a file that may not be read is not permitted, whoever asks" $
+  it "a file without permission is refused as NotPermitted, for any user" $
     inFolder $ \folder -> do
       let own = folder </> "own"
       Bytes.writeFile own (manifest [])
       setFileMode own 0
-      -- What no one may read, the superuser neither.
+      -- A file that no one may read, not even the superuser.
       refused <-
         filterM
           (fmap (either isPermissionError (const False)) . tried)
@@ -341,7 +341,7 @@ decodeSpec = do
           ]
     map (fmap place) decodings
       `shouldBe` replicate 2 (Right (Just (Position 6 5, "C1 C2 C3 C4", ["C2"], (25.4, 95.25))))
-  it "objects, symbols and frames of half the size, or of twice: the same place, of that size" $ do
+  it "half or double the size of objects, symbols and frames gives the same place at that size" $ do
     folder <- readFolder "data/worked-example/frames" >>= right
     paper <- right canonicalPlacement
     reader <- right (shippedReader 4)
@@ -367,7 +367,7 @@ decodeSpec = do
         `shouldBe` replicate
           2
           (Right (Just (Position 6 5, "C1 C2 C3 C4", ["C2"], (of' * 25.4, of' * 95.25))))
-      -- In words the same numbers.
+      -- The numbers are the same in words.
       fmap (take 1 . drop 1 . summary) (decodeFolder known atSize)
         `shouldBe` Right
           [ printf
@@ -375,7 +375,7 @@ decodeSpec = do
               (of' * 25.4 :: Double)
               (of' * 95.25 :: Double)
           ]
-  it "a face felt by a sensor of half the pitch, or of twice, is found where it was pressed" $
+  it "a face felt by a sensor of half or double the pitch is found where it was pressed" $
     forM_ [(32, 0.79375), (8, 3.175)] $ \(side, taxel) ->
       inFolder $ \folder -> do
         layout <- right canonicalPlacement
@@ -399,7 +399,7 @@ decodeSpec = do
   it "a flat image is refused; its summary is the refusal's name" $
     fmap summary (canonicalRecogniser >>= (`decodeImage` flat))
       `shouldBe` Right ["refused: no-symbols"]
-  it "what is no image, and no folder of frames, is an error of its own" $ do
+  it "a malformed image, and a path that is no folder of frames, each have their own error" $ do
     errorOf (canonicalRecogniser >>= (`decodeImage` Bytes8.pack "P7"))
       `shouldBe` Just (FileRefused (NotPgm (Bytes8.pack "P7")))
     errorOf (canonicalRecogniser >>= (`decodeFolder` Folder (listed ["a.pgm"]) Map.empty))

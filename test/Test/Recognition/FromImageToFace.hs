@@ -1,4 +1,5 @@
--- | The hall: reliefs, explorations, and the whole way from an image to the face.
+-- | Tests the library where arrays and touch meet: reliefs, explorations, and the whole way from an
+-- image to the face.
 module Test.Recognition.FromImageToFace (spec) where
 
 import Data.Foldable (for_)
@@ -60,13 +61,13 @@ classesOn setting face = classesOf (settingArray setting) high wide (laidAt face
 
 recogniserSpec :: KnownField k => Setting k -> Spec
 recogniserSpec (Setting array mask layout reader) = describe "a recogniser" $ do
-  it "refuses a placement whose symbols are at another pitch than they are read at" $
+  it "refuses a placement whose symbols have another pitch than the reader's" $
     for_ [Pitch 25 31.75, Pitch 25.4 31, Pitch 12.7 31.75] $ \pitch ->
       refusal (Shape 15 17) pitch `shouldBe` Just (PitchesDiffer pitch (Pitch 25.4 31.75))
   it "refuses a placement on an array of another shape" $
     for_ [Shape 17 17, Shape 15 18, Shape 63 65] $ \shape ->
       refusal shape (Pitch 25.4 31.75) `shouldBe` Just (ArraysDiffer shape (Shape 15 17))
-  it "refuses where the network's outputs, the shapes and the elements are not as many" $ do
+  it "refuses different numbers of network outputs, shapes and field elements" $ do
     let all' = readerAlphabet reader
     Right two <- pure (alphabet (take 2 (zip (shapeNames all') (shapes all'))))
     Right three <- pure (network (konst 0 (5, 97)) (konst 0 (3, 6)))
@@ -90,12 +91,12 @@ recogniserSpec (Setting array mask layout reader) = describe "a recogniser" $ do
 
 groupSpec :: Spec
 groupSpec = describe "groups of symbols" $ do
-  it "have each symbol by its number, though several lie at the same place" $
+  it "have each symbol by its number, even if several lie at the same place" $
     let found =
           groups
             [symbolAt 0 0 (0, 0), symbolAt 1 0 (0, 0), symbolAt 2 0 (100, 0), symbolAt 3 1 (100, 0)]
      in sort (map (map readNumber . groupSymbols) found) `shouldBe` [[0], [1], [2], [3]]
-  it "have each symbol once, in its cell, wherever and in whatever order they come" $
+  it "have each symbol once, in its cell, wherever it lies and in any order" $
     property $
       forAll (shuffle (zip [0 ..] [(i, j) | i <- [0 .. 2], j <- [0 .. 3]])) $ \placed ->
         forAll ((,) <$> choose (-1e6, 1e6) <*> choose (-1e6, 1e6)) $ \(x, y) ->
@@ -134,7 +135,7 @@ reliefSpec setting = describe "reliefs" $ do
                        r <- [r0 .. r0 + h - 1],
                        c <- [c0 .. c0 + w - 1]
                    ]
-  it "each cell holds its symbol's bitmap, 8 x 12 amid 16 x 20 taxels, nothing else" $
+  it "each cell holds its symbol's bitmap, 8 x 12 amid 16 x 20 taxels, and nothing else" $
     for_ (reliefs setting) $ \(face, heights) -> do
       let margin side = round (nearestDouble (side (laidMargin face)) / taxelPitch) :: Int
       for_ (zip [0 ..] (classesOn setting face)) $ \(i, line) ->
@@ -158,7 +159,7 @@ exploreSpec setting = describe "explorations" $ do
                   | (x, y) <- cornersOf r
                 ]
             )
-  prop "askew, by any whole angle, its corners are on the face or equally far off it" $ \seed ->
+  prop "at any whole angle, a region's corners are on the face or equally far off it" $ \seed ->
     forAll ((,) <$> elements (laidFaces (settingLayout setting)) <*> anyAngle) $
       \(face, degrees) -> conjoin . flip map [seed .. seed + 9] $ \seed' ->
         let lying = TurnedBy (fromIntegral (degrees :: Int))
@@ -212,7 +213,7 @@ recogniseSpec setting = describe "recognition" $ do
         found (onRaster orientation image)
           `shouldBe` Right
             (orientation, Position (r + i) (c + j), Just (laidFace face, Position i j))
-  it "nothing at all is refused: no-symbols" $
+  it "a blank image is refused: no-symbols" $
     refusal (constant 40 52 0) `shouldBe` Just (ShownInstead InsteadFlat NoSymbols)
   it "uniform contact is refused: no-symbols" $
     refusal (constant 40 52 1) `shouldBe` Just (ShownInstead InsteadFlat NoSymbols)
@@ -225,14 +226,14 @@ recogniseSpec setting = describe "recognition" $ do
     refusal
       (windowOf [(4, 4, 3, id), (20, 4, 2, id), (4, 24, 3, id), (20, 24, 1, onRaster (turned 2))])
       `shouldBe` Just OrientationContradicts
-  it "a mirror image is refused as one, whichever way up" $
+  it "a mirror image is refused as mirrored, whichever way up" $
     for_ [symmetry <> mirror | symmetry <- rotations] $ \symmetry -> do
       let seen = windowOf [(4, 4, 3, id), (20, 4, 2, id), (4, 24, 3, id), (20, 24, 1, id)]
       refusal (onRaster symmetry seen)
         `shouldBe` Just (Mirrored [Remedy Nothing (lookup "-x,y" axesNamed)])
-  it "every refusal has a name of its own" $
+  it "every refusal has its own name" $
     length (nub (map refusalName refusals)) `shouldBe` length refusals
-  it "the names of refusals are those that are promised" $
+  it "the names of refusals are the promised ones" $
     map refusalName refusals
       `shouldMatchList` [ "no-symbols",
                           "symbols-unclear",

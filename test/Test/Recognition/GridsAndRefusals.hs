@@ -1,5 +1,5 @@
--- | What recognition rests on, case by case: the common grid of all symbols, room on a face, cells
--- too small for symbols, and which refusal is said of what.
+-- | Tests the basis of recognition case by case: the common grid of all symbols, room on a face,
+-- cells too small for symbols, and which refusal is reported when.
 module Test.Recognition.GridsAndRefusals (spec) where
 
 import Data.Foldable (for_)
@@ -35,12 +35,12 @@ import Test.Touch.Paper (paperAlphabet)
 spec :: Spec
 spec = do
   describe "the grid of a face" gridSpec
-  describe "what is certain" certainSpec
+  describe "certain symbols" certainSpec
   describe "room on a face" roomSpec
   describe "distances of symbols" $
-    it "that are not the paper's times one factor are refused, and no others" $
+    it "must be the paper's times one factor, or are refused" $
       onPaper (notFelt . settingArray)
-  describe "what is said" saidSpec
+  describe "reported answers" saidSpec
 
 gridSpec :: Spec
 gridSpec = do
@@ -55,7 +55,7 @@ gridSpec = do
               .&&. fmap (Set.unions . gridGroups) (faceGrid (groups symbols))
                 === Just (Set.fromList [0 .. length cells - 1])
               .&&. fmap (map readNumber . gridStrays) (faceGrid (groups symbols)) === Just []
-  it "has the groups that lie whole cells, to four taxels, from the one that is known best" $
+  it "has the groups that lie whole cells from the best known one, within four taxels" $
     forAll (elements [identity, turned 1]) $ \axis ->
       forAll genGroups $ \drawn ->
         forAllBlind (shuffle (concat (zipWith (members axis) [0 ..] drawn))) $ \seen ->
@@ -73,15 +73,15 @@ gridSpec = do
                   fmap (sort . map readNumber . gridStrays) found
                     === Just (concat [numbersOf n | (n, _) <- strays])
                 ]
-  it "is none where the distances within a group contradict each other" $ do
+  it "is Nothing if the distances within a group contradict each other" $ do
     let sound = Group (Just (Map.singleton (0, 0) one)) (0, 0) [one]
         unsound = Group Nothing (0, 0) [one]
         one = symbolAt 0 (0, 0) (identity, 0)
     map (isJust . faceGrid) [[sound], [sound, unsound], [unsound, sound], []]
       `shouldBe` [True, False, False, True]
   where
-    -- A group of four symbols that the network knows, and up to three of two that it does not, each
-    -- so many taxels off its grid.
+    -- A group of four symbols that the network knows, and up to three groups of two that it does
+    -- not, each off the grid by these taxels.
     genGroups = do
       others <- sublistOf [(0, 6), (6, 0), (6, 6)]
       offs <- traverse (const ((,) <$> genOff <*> genOff)) others
@@ -100,20 +100,20 @@ gridSpec = do
         | (m, (di, dj), e) <- take (sizeOf n) (zip3 [0 ..] block (taxelOff n)),
           let (x, y) = (16 * fromIntegral (j + dj), 20 * fromIntegral (i + di))
       ]
-    -- Two are off by a taxel more and less: their mean is on the grid, or is not.
+    -- Two symbols off by a taxel each way: whether their mean is on the grid decides.
     taxelOff n = if n == 0 then [0, 0, 0, 0] else [1, -1]
     anywhere = [(i, j) | i <- [0 .. 4], j <- [0 .. 4]]
-    -- Every third one is known to the network.
+    -- The network knows every third one.
     symbolIn n cell = (symbolAt n cell (identity, 0)) {readClass = known n}
     known n = if n `mod` 3 == 0 then Just (identity, 0) else Nothing
 
--- | A symbol of that number that is that for certain, and known to the network, in a cell.
+-- | A certain symbol with this number, known to the network, in a cell.
 symbolAt :: Int -> (Int, Int) -> (Symmetry, Int) -> ReadSymbol
 symbolAt n (i, j) = symbolOf n centre
   where
     centre = (16 * fromIntegral j, 20 * fromIntegral i)
 
--- | The symbol with that much doubt, shared by all else that it could be.
+-- | The symbol with this doubt, shared by its alternatives.
 doubtful :: Double -> ReadSymbol -> ReadSymbol
 doubtful p s = s {readChances = (what, 1 - p) : [(other, p / 7) | other <- others]}
   where
@@ -122,14 +122,14 @@ doubtful p s = s {readChances = (what, 1 - p) : [(other, p / 7) | other <- other
 
 certainSpec :: Spec
 certainSpec = do
-  it "is what the network knows with a tenth of doubt at most, and of parts what a third tells" $
+  it "are those the network knows with a doubt below 0.1, and clear parts of at least a third" $
     for_ ((,) <$> [0, 0.0009, 0.0011, 0.09, 0.11, 0.7] <*> knowing) $ \(p, known) -> do
       let symbol = (doubtful p (symbolAt 0 (0, 0) (turned 2, 3))) {readClass = known}
       certain symbol `shouldBe` (if p < 0.1 then known else Nothing)
       for_ [86, 32, 31 :: Int] $ \taxels ->
         certain symbol {readSeen = fromIntegral taxels / 96, readClass = Nothing}
           `shouldBe` (if p < 0.001 && taxels >= 32 then Just (turned 2, 3) else Nothing)
-  it "stands against an answer from beside the grid or along the other axis; the rest does not" $ do
+  it "contradict an answer from beside the grid or along the other axis; doubtful ones do not" $ do
     onPaper $ \setting -> do
       let reader = recogniserOf setting
           classOf r c = toCode (cellAt (settingArray setting) (Position (6 + r) (5 + c)))
@@ -160,7 +160,7 @@ certainSpec = do
 
 roomSpec :: Spec
 roomSpec = do
-  it "a region as large as the face lies at its corner, and one a taxel larger holds it" $ do
+  it "a region as large as the face lies at its corner; one a taxel larger contains it" $ do
     layout <- right canonicalPlacement
     let wrong =
           [ (laidFace face, symmetry, width, height)
@@ -177,7 +177,7 @@ roomSpec = do
           ]
     wrong `shouldBe` []
   where
-    -- Before the face there is no more of the region than it has more than the face.
+    -- The region extends before the face by no more than it is larger than the face.
     beside at more = at < 1e-9 && at > -1e-9 - fromIntegral (more :: Int)
     taxelsOf millimetres = round (millimetres / (127 / 80)) :: Int
     both f (x, y) = (f x, f y)
@@ -202,12 +202,12 @@ notFelt array = do
 
 saidSpec :: Spec
 saidSpec = do
-  it "symbols of the right size that are none of the alphabet's are unclear" $ do
+  it "symbols of the right size but of no class are refused as unclear" $ do
     said <- saying (compositeOf (boxes [(0, 0), (0, 1), (1, 0), (1, 1)]))
     said `shouldSatisfy` unclear
     alone <- saying (compositeOf (boxes [(1, 0)]))
     alone `shouldSatisfy` unclear
-  it "a refusal, or several places that fit, are said with the doubt if there is one" $ do
+  it "a refusal, or several places that fit, are reported with their doubt, if there is one" $ do
     let said answer support = summary (Recognition [] [] Map.empty (0, 0) support Nothing 0 answer)
         several = Right (Several identity [Position 1 2, Position 3 4])
         alien = ForeignDoubts 0.03 0.02 True 0
@@ -217,7 +217,7 @@ saidSpec = do
       `shouldBe` [["ambiguous:", "2", "positions"], ["upright", "in", "the"]]
     map (drop 1) [said (Left NoSymbols) unsure, drop 1 (said several unsure)]
       `shouldBe` replicate 2 ["doubt 2.5e-1"]
-  it "the lines of README.md are what is said of the worked example" $ do
+  it "the lines of README.md are the program's for the worked example" $ do
     text <- lines <$> readFile "README.md"
     let printed = takeWhile (/= "") (drop 2 (dropWhile (/= "prints") text))
     frames <- readFolder "data/worked-example/frames" >>= right

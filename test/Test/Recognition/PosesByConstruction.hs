@@ -1,5 +1,5 @@
--- | Poses: fits beside truths that are made of exact rotations, their covariance beside the spread
--- of draws, the blurred relief beside its shape, and presses of the simulated sensor.
+-- | Tests poses: fits against truths made of exact rotations, their covariance against the spread
+-- of draws, the blurred relief against its shape, and presses of the simulated sensor.
 module Test.Recognition.PosesByConstruction
   ( spec,
   )
@@ -76,7 +76,7 @@ rotationBy a (b, c, d) =
       [2 * (b * d - a * c), 2 * (c * d + a * b), a * a - b * b - c * c + d * d]
     ]
 
--- | A quaternion's positive real part and its vector, so many times those of small numbers.
+-- | A quaternion's positive real part and its vector: small numbers scaled by these factors.
 genPart :: Integer -> Integer -> Gen (Rational, (Rational, Rational, Rational))
 genPart real imaginary =
   (,)
@@ -96,8 +96,7 @@ genTurn = do
 genLength :: Gen Rational
 genLength = (\a -> fromInteger a / 16) <$> choose (-2000, 2000)
 
--- | A face that lies in an object's frame somehow, in the robot's plane somewhere, and points of
--- it.
+-- | A face at some pose in an object's frame and in the robot's plane, and points of it.
 data Lying = Lying
   { -- | from the face's frame to the object's, and to the robot's
     lyingInObject :: Exact,
@@ -146,7 +145,7 @@ truePose lying = RigidMotion (map (map fromRational) rows) (map fromRational by)
     rows = [[sum (zipWith (*) line column) | column <- toObject] | line <- turn]
     by = zipWith (-) at (map (sum . zipWith (*) from) rows)
 
--- | The points as seen, each off by so much, with a covariance.
+-- | The points as seen, each off by this displacement, with a covariance.
 seenAs :: Lying -> [((Double, Double), [[Double]])] -> [Seen]
 seenAs lying = zipWith one (lyingPoints lying)
   where
@@ -165,7 +164,7 @@ genSpread = do
   b <- choose (-0.3, 0.3)
   pure ([[a * a, a * b], [a * b, b * b + c * c]], [[a, 0], [b, c]])
 
--- | Two numbers that are normal and independent, by Box and Muller.
+-- | Two independent normal numbers, by Box and Muller.
 genNormals :: Gen (Double, Double)
 genNormals = do
   u <- choose (1e-12, 1)
@@ -180,10 +179,10 @@ entries (RigidMotion rows by) = concat rows ++ by
 
 spec :: Spec
 spec = do
-  it "of many draws, the squared distance in units of the covariance has the mean 3" $
+  it "the squared distance in units of the covariance has mean 3 over many draws" $
     let count = byEffort 200 1000
      in once . forAll (replicateM count drawnDistance) $ \distances ->
-          -- Of chi-square with three degrees of freedom the variance is 6.
+          -- The variance of chi-square with three degrees of freedom is 6.
           let mean = sum distances / fromIntegral count
            in counterexample (show mean) (abs (mean - 3) < 5 * sqrt (6 / fromIntegral count))
   prop "the covariance is that of a motion within the plane: of rank 3" $
@@ -198,7 +197,7 @@ spec = do
                     property (farthest (concat c) (concat (transpose c)) < 1e-9),
                     fmap (< 1e-9) (poseDistance (poseMotion pose) pose) === Just True
                   ]
-  prop "two poses differ by a way and a rotation vector, of all but no and all but half a turn" $
+  prop "two poses differ by a translation and a rotation vector, up to nearly half a turn" $
     forAll ((,,) <$> genRotation <*> replicateM 3 genLength <*> replicateM 3 genLength) $
       \(rows, from, to) ->
         forAll (elements [(1, 1), (1, 100000), (100000, 1)] >>= \(s, c) -> genPart s c) $
@@ -213,7 +212,7 @@ spec = do
                     ++ [angle * fromRational part / size | part <- [x, y, z]]
              in farthest wanted (poseDifference (motion turned to) (Pose (motion rows from) []))
                   < 1e-9 * min 1 angle
-  prop "heights at one place of each taxel add up to the shape's area, and rise as they change" $
+  prop "taxel heights at a shift add up to the shape's area; their gradients are the differences" $
     forAll ((,) <$> choose (0, 1) <*> choose (0, 1)) $ \(u, v) ->
       conjoin
         [ conjoin
@@ -234,7 +233,7 @@ spec = do
             let ground = Ground (3, -5) (Map.singleton (0, 0) shape)
                 at x y (i, j) = heightAt ground (3 + fromIntegral i + x, fromIntegral j + y - 5)
         ]
-  prop "half of the errors are at most the median and half at least; shares are of distances" $
+  prop "half of the errors are at most the median, half at least; the shares count distances" $
     forAll (listOf1 (PoseError <$> choose (0, 9) <*> choose (0, 9) <*> choose (0, 12))) $ \errors ->
       let half test = 2 * length (filter test errors) >= length errors
           share bound = length (filter ((<= bound) . poseErrorDistance) errors)
@@ -250,7 +249,7 @@ spec = do
                   map (round . (fromIntegral (length errors) *)) (shares counted)
                     === map share [2.366, 7.8147]
                 ]
-  -- Faces had no pose where a placement begins them at another vertex than their object's own list.
+  -- Faces had no pose where a placement began them at another vertex than their object's own list.
   for_ (plate : [(show one, namedDescription one) | one <- someSolids]) $ \(known, it') ->
     it (known ++ ": begun at any of its vertices, each face has its true pose") $ do
       body <- right (solid it')
@@ -276,7 +275,7 @@ spec = do
                 there <- maybe (fail "no vertex") pure (lookup vertex (solidVertices body))
                 moved true (coordinates there)
                   `shouldSatisfy` ((< 1e-6) . farthest [x + 40, y - 25, 0])
-              -- Named from elsewhere, it is the same truth.
+              -- Named from another vertex, it is the same truth.
               for_ others $ \other ->
                 fmap entries (Truth.truePose layout (truthFrom layout other truth))
                   `shouldSatisfy` maybe False ((< 1e-6) . farthest (entries true))
@@ -288,14 +287,14 @@ spec = do
       length errors `shouldBe` count
       median (map (\(far, _, _) -> far) errors) `shouldSatisfy` (< 0.05)
       median (map (\(_, degrees, _) -> degrees) errors) `shouldSatisfy` (< 0.02)
-    it "noisy presses by an unsure robot: off by as much as the covariance says" $ do
+    it "noisy presses by an inexact robot: errors are as large as the covariance says" $ do
       let (count, missed, far) = byEffort (2, 1, 0) (24, 2, 2)
       errors <- presses array (map snd (take 1 readers)) standardSensor (Just 1) count
       length errors `shouldSatisfy` (>= count - missed)
       let distances = map (\(_, _, distance) -> distance) errors
       -- 99 % of chi-square with three degrees of freedom is below 11.3.
       length (filter (< 11.3) distances) `shouldSatisfy` (>= length errors - far)
-      -- A mean of few says nothing.
+      -- A mean of few means little.
       whenFull $
         sum distances / fromIntegral (length distances) `shouldSatisfy` (\m -> m > 1 && m < 6)
   where
@@ -307,7 +306,7 @@ spec = do
       off <- traverse drawnOff spreads
       let pose = poseOf <$> frameOf' lying <*> rigidFit (seenAs lying off)
       case pose >>= poseDistance (truePose lying) of
-        -- A few points close together tell the angle so badly that it is no small one.
+        -- A few points close together determine the angle so badly that it is not small.
         Just distance | wide lying -> pure distance
         _ -> drawnDistance
     wide lying =
@@ -341,18 +340,18 @@ spec = do
       _ -> 0
     cellPlaces = [(i, j) | i <- [1 .. 14], j <- [1 .. 18]] :: [(Int, Int)]
 
--- | One whose faces have holes.
+-- | A plate whose faces have holes.
 plate :: (String, Description)
 plate =
   ( "a plate with two holes",
     plateOf (drilledWith 20 (160, 90) [(20, 40, 50, 70), (80, 40, 99, 60)])
   )
 
--- | Those that a run looks at.
+-- | The solids that a run takes.
 someSolids :: [Named]
 someSolids = byEffort [Cube, Pyramid 150 120 90, Prism 7 60 50, LShape 90 60 120] twentySolids
 
--- | Two of each kind that has lengths, and the paper's; a face of each is long, oblique, or no
+-- | Two of each kind that has lengths, and the paper's. A face of each is long, oblique, or no
 -- rectangle.
 twentySolids :: [Named]
 twentySolids =
@@ -386,8 +385,8 @@ median values = case drop (length values `div` 2) (ordered values) of
     ordered [] = []
     ordered (p : more) = ordered (filter (< p) more) ++ p : ordered (filter (>= p) more)
 
--- | Of presses at any angle that are answered: how far the middle of the region is from where the
--- pose has it, mm, how far the angle, degrees, and the squared distance by the covariance.
+-- | Errors of the answered presses at any angle: the distance of the region's middle from the
+-- pose's, mm; that of the angle, degrees; and the squared distance by the covariance.
 presses ::
   KnownField k =>
   PseudorandomArray k ->

@@ -1,8 +1,7 @@
 {-# OPTIONS_GHC -O1 #-}
 
--- | Where a grid of symbols is, and how doubtful that is: the posterior of
--- docs/explanation/locating.md, summed by brute force over all positions, both ways up, and the
--- share of foreign things.
+-- | The place of a grid of symbols and its doubt: the posterior of docs/explanation/locating.md,
+-- summed by brute force over all positions, both ways up, and the prior of foreign surfaces.
 module Test.Recognition.PosteriorByBruteForce (spec) where
 
 import Data.List (maximumBy, nub)
@@ -26,7 +25,7 @@ import Test.Recognition.Scenes
 spec :: Spec
 spec = onRecognisers $ \array readers ->
   withCases 20 400 $
-    it "a grid is where that is likeliest, with the doubt that is left, or it is nowhere" $
+    it "a grid is placed at its likeliest position with the remaining doubt, or not placed" $
       forAllBlind (elements readers) $ \(surface, reader) -> do
         let scenes = genScene (cellOf surface array)
         scene <- scenes [1e-7, 0.0005, 0.01, 0.09, 0.2, 0.8]
@@ -49,7 +48,7 @@ spec = onRecognisers $ \array readers ->
             (Tolerance tolerated radius share Nothing 0)
             seen
 
--- | What was read.
+-- | The symbols that were read.
 data Seen = Seen
   { -- | by cells along the symbols' axes
     seenCells :: Cells,
@@ -59,9 +58,9 @@ data Seen = Seen
     seenDissenters :: [ReadSymbol]
   }
 
--- | That it is the array's, lies that way up, and begins at that position; with the product of the
--- probabilities of what the array then has in the observed cells, of those that say nothing 30
--- times the least of all, at most their mean, and of how probable it is beforehand.
+-- | The hypothesis that the symbols are the array's, lie this way up, and begin at this position.
+-- Its likelihood is the product of the prior and of the probabilities of the array's symbols in the
+-- observed cells. A silent cell has 30 times the least probability of all, but at most their mean.
 data Hypothesis = Hypothesis
   { wayUp :: Symmetry,
     beginning :: Position,
@@ -69,9 +68,9 @@ data Hypothesis = Hypothesis
     silent :: [(Int, Int)]
   }
 
--- | All that are possible, likely or not, where these faces are laid. Beforehand each is as
--- probable as any other by which one face has all cells that the network knows, and then cells
--- beyond that face say nothing; and 200 times as probable as any by which none has.
+-- | All possible hypotheses, likely or not, on these laid faces. Two hypotheses have equal priors
+-- if in each a face has all cells that the network knows; cells beyond that face are then silent.
+-- Without such a face the prior is 200 times smaller.
 hypotheses :: [LaidFace] -> OnArray -> Cells -> [Hypothesis]
 hypotheses faces onArray cells =
   [ Hypothesis o place (prior * product (zipWith said (observed cells) codes)) beyond
@@ -109,7 +108,7 @@ hypotheses faces onArray cells =
       let ((i0, j0), (i, j)) = (onFace cells o first', onFace cells o at)
        in (fromIntegral r + i - i0, fromIntegral c + j - j0) :: (Int, Int)
 
--- | The cells of which the symbols read there say something.
+-- | The cells whose symbols have any probability.
 observed :: Cells -> [((Int, Int), [ReadSymbol])]
 observed cells =
   [ (at, here)
@@ -125,7 +124,7 @@ waysUp cells
   where
     sideways = exchangesAxes . fst . readLikeliest
 
--- | Where a cell is on a face that is seen that way up.
+-- | The place of a cell on a face that is seen this way up.
 onFace :: Cells -> Symmetry -> (Int, Int) -> (Int, Int)
 onFace cells o (i, j)
   | o `elem` [turned 2, turned 3] = (furthest fst - i, furthest snd - j)
@@ -133,15 +132,14 @@ onFace cells o (i, j)
   where
     furthest part = maximum (map part (Map.keys cells))
 
--- | How probable what was read in a cell makes this symbol, that way up: independent looks.
+-- | The probability of a cell's readings, which are independent, given this symbol and way up.
 chance :: Symmetry -> Int -> [ReadSymbol] -> Double
 chance o c here = product [sum [p | (what, p) <- readChances s, what == (o, c)] | s <- here]
 
--- | How probable it is that it is foreign by chance, if it is not another array, given the share of
--- foreign things, and of the likeliest hypothesis how probable that is among those of the array;
--- and how many times as probable it is that it is one of some other arrays. Of what is foreign by
--- chance either way up is as likely, and there each symbol in each cell; of what is the array's one
--- cell in a hundred is like that.
+-- | For surfaces other than this array: a function from other arrays to the odds of these against
+-- chance and this array together, and the probability of chance without other arrays. Given are the
+-- prior of foreign surfaces and the likeliest hypothesis. By chance both ways up and all symbols
+-- are equally likely in each cell, and so is one cell in a hundred of the array.
 foreignBy ::
   Double -> OnArray -> Cells -> [Hypothesis] -> Hypothesis -> ([OnArray] -> Double, Double)
 foreignBy share onArray cells every best
@@ -165,8 +163,9 @@ foreignBy share onArray cells every best
         + 0.01 * anyOf (wayUp best) here
     there = onArray (beginning best) . onFace cells (wayUp best)
 
--- | What is certain of a symbol: what the network knows where that is likeliest and less than a
--- tenth is in doubt, and of a third of a symbol at least, where less than a thousandth is.
+-- | The certain reading of a symbol: what the network knows, if it is the likeliest and its doubt
+-- is below a tenth; or the likeliest, if at least a third of the symbol was seen and the doubt is
+-- below a thousandth.
 certainly :: ReadSymbol -> Maybe (Symmetry, Int)
 certainly s
   | readSeen s >= 1 =
@@ -185,8 +184,8 @@ distanceOf codeAt cells =
       | place <- Position <$> [0 .. 14] <*> [0 .. 16]
     ]
 
--- | What is located, given what is tolerated, against the hypotheses. Of other arrays a bound is
--- told, which is taken as it is; where they are given, they are added up and must not exceed it.
+-- | Compares a location, for what is tolerated, with the hypotheses. The reported bound for other
+-- arrays is taken as it is. If the arrays are given, their sum must not exceed it.
 judged ::
   [LaidFace] ->
   OnArray ->
@@ -206,10 +205,10 @@ judged faces onArray others locating tolerance seen = case hypotheses faces onAr
           [ locationOrientation found === wayUp best,
             near (told doubtOfPosition) (elsewhere' * (1 - random - alien)),
             near (told (doubtOfRandom . doubtsOfOrigin)) random,
-            counterexample "other arrays are no likelier than is told" $
+            counterexample "other arrays are likelier than reported" $
               maybe True ((<= alien * (1 + 1e-6) + 1e-9) . summed) others,
             told doubtOfStitching === 0,
-            counterexample "as far as tolerated" $
+            counterexample "placed exactly if tolerated" $
               show (locationOutcome found)
                 === if doubt <= toleratedDoubt tolerance && fitting
                   then show (Placed (beginning best))
@@ -234,7 +233,7 @@ judged faces onArray others locating tolerance seen = case hypotheses faces onAr
       beside = filter (isJust . certainly) (seenStrays seen ++ seenDissenters seen)
       wrong = length (filter (not . agrees) certain') + length beside
       own = nub [there at | (at, (o, _)) <- certain', o == wayUp best]
-      -- A complete one must be among those that agree.
+      -- A complete symbol must be among those that agree.
       fitting =
         wrong <= radius
           && or
@@ -253,7 +252,7 @@ judged faces onArray others locating tolerance seen = case hypotheses faces onAr
     cells = seenCells seen
     found = locating tolerance
     upTo limit = locating tolerance {toleratedDoubt = limit}
-    -- The doubt as it was told; what it should be is a law of its own.
+    -- The doubt as reported; its value is the subject of another law.
     doubt = maybe 1 supportDoubt (locationSupport found)
     told part = maybe (-1) (part . supportDoubts) (locationSupport found)
 

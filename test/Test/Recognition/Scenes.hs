@@ -1,6 +1,6 @@
 {-# LANGUAGE RankNTypes #-}
 
--- | Grids of symbols as the paper's array has them somewhere, damaged, as recognition reads them.
+-- | Grids of symbols that the paper's array has somewhere, damaged, as recognition reads them.
 module Test.Recognition.Scenes
   ( Scene (..),
     genScene,
@@ -28,8 +28,8 @@ onRecognisers ::
 onRecognisers tests = onPaper $ \setting ->
   tests (settingArray setting) [(on, recogniserOn on setting) | on <- [Torus, Sheet]]
 
--- | A grid of symbols as the array has them from a position on, seen in an orientation, with
--- damage; some cells have none, some two.
+-- | A grid of symbols that the array has from a position on, seen in an orientation, with damage:
+-- some cells have none, some two.
 data Scene = Scene
   { sceneOrientation :: Symmetry,
     scenePosition :: Position,
@@ -37,11 +37,11 @@ data Scene = Scene
     sceneCells :: Cells
   }
 
--- | What an array has in a cell of a grid whose first cell is at a position, and where that is;
+-- | The place and the symbol of an array in a cell of a grid whose first cell is at a position;
 -- 'Nothing' beyond the sheet.
 type OnArray = Position -> (Int, Int) -> Maybe (Position, Int)
 
--- | What the paper's array has.
+-- | The place and the symbol of the paper's array.
 cellOf :: KnownField k => Surface -> PseudorandomArray k -> OnArray
 cellOf surface array (Position r c) (i, j)
   | surface == Torus || inside = Just (place, toCode (cellAt array place))
@@ -51,7 +51,7 @@ cellOf surface array (Position r c) (i, j)
     inside = down >= 0 && down < 15 && across >= 0 && across < 17
     place = Position (fromIntegral (down `mod` 15)) (fromIntegral (across `mod` 17))
 
--- | A scene, given what stands in each of its cells and the doubts of its symbols.
+-- | A scene, given the symbol in each of its cells and the doubts of its symbols.
 genScene :: OnArray -> [Double] -> Gen Scene
 genScene cell doubts = do
   orientation <- elements rotations

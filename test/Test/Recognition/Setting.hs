@@ -1,7 +1,7 @@
 {-# LANGUAGE RankNTypes #-}
 
--- | What the tests of recognition stand on: the paper's array, or another, with what is laid on it
--- and what reads it; its faces as they are felt; and pictures of its symbols.
+-- | What the tests of recognition share: the paper's array, or another, with its placement and its
+-- reader; its faces as reliefs; and pictures of its symbols.
 module Test.Recognition.Setting
   ( -- * An array and what is on it
     Setting (..),
@@ -59,7 +59,7 @@ import Test.QuickCheck hiding (generate)
 import Test.Support (below, whenRight)
 import Test.Touch.Paper (paperReader)
 
--- | An array with its window, the objects laid on it, and what its symbols are read with.
+-- | An array with its window, the objects laid on it, and the reader of its symbols.
 data Setting k = Setting
   { settingArray :: PseudorandomArray k,
     settingWindow :: Mask,
@@ -71,28 +71,28 @@ data Setting k = Setting
 onPaper :: (forall k. KnownField k => Setting k -> a) -> a
 onPaper = onPaperWith (profileWindow canonicalProfile)
 
--- | The same with windows of another shape.
+-- | The paper's setting with windows of another shape.
 onPaperWith :: Shape -> (forall k. KnownField k => Setting k -> a) -> a
 onPaperWith window =
   onArray canonicalProfile {profileWindow = window} (orError canonicalPlacement) paperReader
 
--- | The array of a profile with objects laid on it, and what reads it.
+-- | The array of a profile with objects laid on it, and its reader.
 onArray :: Profile -> Placement -> Reader -> (forall k. KnownField k => Setting k -> a) -> a
 onArray profile layout reader test =
   orError (withProfile profile (\array mask -> test (Setting array mask layout reader)))
 
--- | What reads the array on its own surface.
+-- | The recogniser of the array on its own surface.
 recogniserOf :: KnownField k => Setting k -> Recogniser k
 recogniserOf setting = recogniserOn surface setting
   where
     ArrayOn surface _ = naturally (settingArray setting)
 
--- | What reads the array on a surface.
+-- | The recogniser of the array on a surface.
 recogniserOn :: KnownField k => Surface -> Setting k -> Recogniser k
 recogniserOn surface (Setting array mask layout reader) =
   orError (recogniser (ArrayOn surface array) mask layout reader)
 
--- | The parts that are shipped fit together.
+-- | The result, for shipped parts, which fit together.
 orError :: Show e => Either e a -> a
 orError = either (error . show) id
 
@@ -112,10 +112,10 @@ classesOf :: KnownField k => PseudorandomArray k -> Natural -> Natural -> Positi
 classesOf array high wide (Position r c) =
   [[toCode (cellAt array (Position (r + i) (c + j))) | j <- below wide] | i <- below high]
 
--- | What stands in each cell: nothing, or a class whose shape is changed.
+-- | The content of each cell: nothing, or a class with a change of its shape.
 type Drawn = [[Maybe (Int, Raster -> Raster)]]
 
--- | Classes as they are.
+-- | Classes with unchanged shapes.
 asDrawn :: [[Int]] -> Drawn
 asDrawn = map (map (\c -> Just (c, id)))
 
@@ -148,23 +148,23 @@ pasted :: (Int, Int) -> [(Int, Int, Raster)] -> Raster
 pasted (wide, high) images = generate wide high $ \x y ->
   sum [fromMaybe 0 (index image (x - left) (y - top)) | (left, top, image) <- images]
 
--- | What composites of one face show.
+-- | The recognition of composites of one face.
 recognisedIn :: KnownField k => Recogniser k -> Tolerance -> [Composite] -> IO Recognition
 recognisedIn reader how = either (fail . show) pure . recogniseWith how reader
 
--- | What was found, where that is one place.
+-- | What was found, if that is a single place.
 foundIn :: Recognition -> Maybe Finding
 foundIn recognition = case recognisedAnswer recognition of
   Right (Found found) -> Just found
   _ -> Nothing
 
--- | Why there is no answer.
+-- | The reason for no answer.
 refusedIn :: Recognition -> Maybe Refusal
 refusedIn = either Just (const Nothing) . recognisedAnswer
 
--- | Presses in the corners and along the edges of an array's plate are decoded as where they are;
--- the size is that of the regions. A quick run presses two opposite corners, which have a part of
--- each edge.
+-- | Expects that presses in the corners and along the edges of an array's plate are decoded at
+-- their places, with regions of this size. A quick run presses two opposite corners, which contain
+-- a part of each edge.
 locatedAround :: KnownField k => Setting k -> (Int, Int) -> Property
 locatedAround setting (w, h) =
   once $

@@ -1,5 +1,5 @@
--- | What is done with symbols on a grid, each step against its definition: the skew of the grid,
--- what is done to recognitions, and the words for them.
+-- | Tests the use of symbols on a grid, each step against its definition: the skew of the grid,
+-- changes of recognitions, and the words for them.
 module Test.Recognition.SkewAndWords (spec) where
 
 import Data.Foldable (for_)
@@ -34,7 +34,7 @@ near a b = counterexample (show (a, b)) (abs (a - b) <= 1e-9 * (1 + abs b))
 
 skewSpec :: Spec
 skewSpec =
-  it "is the mean over both errors that an image may have, weighed by what the symbols say" $
+  it "is the mean over both errors that an image may have, weighted by the symbols' likelihood" $
     forAll (elements [Nothing, Just (), Just ()]) $ \given ->
       forAll ((,) <$> choose (-20, 20) <*> elements [0, 2, -5]) $ \(angle, off) ->
         forAll (choose (1, 8) >>= (`vectorOf` genSymbol)) $ \drawn ->
@@ -75,8 +75,8 @@ skewSpec =
         (from, to) = (centred (map fst told), centred (map snd told))
         along = sum [x * x' + y * y' | ((x, y), (x', y')) <- zip from to]
         across = sum [x * y' - y * x' | ((x, y), (x', y')) <- zip from to]
-        -- The rotation that brings the ones nearest to the others, in degrees, and its variance
-        -- where each is half a taxel off along each axis.
+        -- The rotation, in degrees, that brings the grid's places nearest to the symbols', and its
+        -- variance if each is half a taxel off along each axis.
         turn = if null told then 0 else atan2 across along * 180 / pi
         variance = (180 / pi * 0.5) ** 2 / max 1e-9 along
         density d v = exp (negate d * d / (2 * v)) / sqrt v
@@ -84,7 +84,7 @@ skewSpec =
 
 recognitionSpec :: Spec
 recognitionSpec = do
-  prop "set upright by an angle are as the composites were given, each by its own places" $
+  prop "set upright are taken back by an angle, each composite by its own map" $
     forAll ((,) <$> choose (-45, 45) <*> choose (-3, 3)) $ \(angle, skew') ->
       forAll (vectorOf 4 ((,) <$> choose (0, 30) <*> choose (0, 30))) $ \places ->
         let back k (x, y) = (2 * y + k, x - 3 * k) :: (Double, Double)
@@ -100,7 +100,7 @@ recognitionSpec = do
             found = Finding (turned 2) (windowAt (Position 9 9) (4, 5)) windows Map.empty
             given =
               Recognition whole parts Map.empty (0, 0) Nothing Nothing skew' (Right (Found found))
-            -- Of the third composite on nothing is known.
+            -- The maps of further composites are unknown.
             moved = relocated angle [back 0, back 1, back 2] given
             placed n = if n < 3 then back (fromIntegral n) else id
             wanted s =
@@ -128,7 +128,7 @@ recognitionSpec = do
                 )
               .&&. recognisedAnswer (relocated angle [back 0] given {recognisedAnswer = several})
               === several
-  it "have the skew in their symbols' axes where that is wanted" $ do
+  it "have the skew in their symbols' axes if that is requested" $ do
     let axis n s = s {readImage = (readImage s) {symbolAxis = n}}
         one = symbolOf 0 (0, 0) (identity, 0)
         given =
@@ -141,13 +141,13 @@ recognitionSpec = do
         { recognisedSymbols = [axis 92.5 one, axis 3.5 one],
           recognisedParts = [axis (-0.5) one]
         }
-  it "turn the face by the orientation and the skew, from 0 up to 360 degrees" $
+  it "turn the face by the orientation plus the skew, from 0 up to 360 degrees" $
     for_ [-90, -45, -10, -0.25, 0, 0.25, 44, 90, 100] $ \skew' -> for_ [0 .. 3] $ \quarters -> do
       let whole = 90 * fromIntegral quarters + skew'
           recognition = (unanswered [] NoSymbols) {recognisedSkew = skew'}
       recognisedAngle recognition (turned quarters)
         `shouldBe` head' [a | a <- [whole, whole + 360, whole - 360], a >= 0, a < 360]
-  prop "are refused where frames elsewhere leave more doubt than is tolerated, and not if less" $
+  prop "are refused exactly if other layouts raise the doubt above what is tolerated" $
     forAll (vectorOf 3 (choose (0, 0.2))) $ \doubts ->
       forAll (vectorOf 3 (elements [0, 0.05, 0.2])) $ \elsewhere ->
         let (position, origin) = (sum (take 1 doubts), sum (drop 2 doubts))
@@ -182,7 +182,7 @@ recognitionSpec = do
                   === [several, Left (NotLocated BelowThreshold)]
                   .&&. recognisedAnswer (asked 1 given {recognisedSupport = Nothing})
                   === Left (NotLocated BelowThreshold)
-  it "leave as much certainty as their symbols' doubts, which are 1e-300 at least" $ do
+  it "have a certainty of - sum (log doubt) over their symbols, with doubts of at least 1e-300" $ do
     let doubtful p =
           (symbolOf 0 (0, 0) (identity, 0))
             { readChances = [((identity, 0), 1 - p), ((identity, 1), p / 2), ((turned 2, 0), p / 2)]
@@ -191,11 +191,11 @@ recognitionSpec = do
     abs (of' [0.1, 0.02] - negate (log 0.002)) `shouldSatisfy` (< 1e-9)
     abs (of' [0] - 300 * log 10) `shouldSatisfy` (< 1e-9)
     of' [] `shouldBe` 0
-  it "that lead to nothing have their symbols, the refusal, and no skew" $ do
+  it "without an answer have their symbols, the refusal, and no skew" $ do
     let symbols = [symbolOf n (1, 2) (identity, n) | n <- [0, 1]]
     unanswered symbols (Mirrored [])
       `shouldBe` Recognition symbols [] Map.empty (0, 0) Nothing Nothing 0 (Left (Mirrored []))
-  it "have each refusal in the list of them once" $
+  it "have each refusal in the list of refusals once" $
     for_ ([NoSymbols, SymbolsUnclear, Mirrored [], OrientationContradicts] ++ later) $ \refusal ->
       length (filter ((== refusalName refusal) . refusalName) refusals) `shouldBe` 1
   where
@@ -206,7 +206,7 @@ recognitionSpec = do
 
 wordSpec :: Spec
 wordSpec = do
-  it "a skew is said where it is more than three degrees" $
+  it "a skew of more than three degrees is mentioned" $
     for_ [0, 2.999, 3, 3.001, -3, -3.001, 30] $ \skew' -> do
       let recognition = (unanswered [] NoSymbols) {recognisedSkew = skew'}
           said = abs skew' > 3

@@ -1,5 +1,5 @@
--- | What an answer rests on, and why there is none, of grids built by hand: what must be told is
--- known from how they were built.
+-- | Tests the basis of an answer, and the reasons for none, on grids built by hand, whose results
+-- follow from their construction.
 module Test.Recognition.SupportByConstruction (spec) where
 
 import Data.Foldable (for_)
@@ -33,7 +33,7 @@ spec = onRecognisers $ \array readers -> do
     describe "The support" (supportSpec array reader)
     describe "Why there is no answer" (refusalSpec array reader)
   for_ (lookup Sheet readers) $ \reader ->
-    it "where no position is possible, the way up is what the symbols show" $
+    it "without a possible position, the orientation is that of the symbols" $
       for_ rotations $ \orientation -> do
         -- One symbol more in a row than the sheet has columns.
         let row' = zipWith (\n (at, what) -> (at, clear n what)) [0 ..] (blockOf array 1 18 (3, 4))
@@ -42,13 +42,13 @@ spec = onRecognisers $ \array readers -> do
         locationOrientation found `shouldBe` orientation
         locationOutcome found `shouldSatisfy` (`notElem` [WrongWayUp, OffTheGrid, GroupsApart])
 
--- | What stands in the cells of a face, rows and columns from 0.
+-- | The content of the cells of a face, with rows and columns from 0.
 type Block = [((Int, Int), (Symmetry, Int))]
 
 -- | A symbol with its cell.
 type InCell = ((Int, Int), ReadSymbol)
 
--- | What the array has in so many rows and columns from a position on, seen upright.
+-- | The array's content in this many rows and columns from a position on, seen upright.
 blockOf :: KnownField k => PseudorandomArray k -> Int -> Int -> (Int, Int) -> Block
 blockOf array high wide (r, c) =
   [ ((i, j), (identity, classAt array (r + i, c + j)))
@@ -60,11 +60,11 @@ classAt :: KnownField k => PseudorandomArray k -> (Int, Int) -> Int
 classAt array (r, c) =
   toCode (cellAt array (Position (fromIntegral (r `mod` 15)) (fromIntegral (c `mod` 17))))
 
--- | A symbol that is that with a doubt of one in a million, and known to the network.
+-- | A symbol with this reading, a doubt of one in a million, and known to the network.
 clear :: Int -> (Symmetry, Int) -> ReadSymbol
 clear n what = unsure 1e-6 (symbolOf n (0, 0) what)
 
--- | The same with that doubt, shared by all else that it could be.
+-- | The symbol with this doubt, shared by its alternatives.
 unsure :: Double -> ReadSymbol -> ReadSymbol
 unsure p s = s {readChances = (what, 1 - p) : [(other, p / 7) | other <- axis, other /= what]}
   where
@@ -95,15 +95,15 @@ seenAs orientation placed =
           readChances = [(seen what, p) | (what, p) <- readChances s]
         }
 
--- | What is drawn beside the symbols of a block, which are all clear and of the first composite.
+-- | Additions to the symbols of a block, which are all clear and of the first composite.
 data Beside
-  = -- | another look at a cell, the same
+  = -- | another look at a cell, with the same reading
     Again
-  | -- | another look that says another class
+  | -- | another look with another class
     Otherwise
-  | -- | another look that says the same class the other way up
+  | -- | another look with the same class, the other way up
     TurnedOver
-  | -- | another look, too unsure to count, which says another class
+  | -- | another look with another class, too unsure to count
     Blurred
   | -- | a symbol off the grid
     Stray
@@ -111,8 +111,8 @@ data Beside
     Sideways
   deriving stock (Eq, Show, Enum, Bounded)
 
--- | A block somewhere, seen in an orientation, with what is drawn beside its symbols: of which
--- composite and, where it is another look, at which cell.
+-- | A block somewhere, seen in an orientation, with random additions: the composite of each and, if
+-- it is another look, the cell.
 data Drawn = Drawn
   { drawnSize :: (Int, Int),
     drawnAt :: (Int, Int),
@@ -134,7 +134,7 @@ genDrawn size@(high, wide) =
         <*> choose (0, 2)
         <*> ((,) <$> choose (0, high - 1) <*> choose (0, wide - 1))
 
--- | The symbols of a block, numbered from 0, and all others, numbered on.
+-- | The symbols of a block, numbered from 0, and the additions, numbered on.
 symbolsOf :: KnownField k => PseudorandomArray k -> Drawn -> ([InCell], [(Beside, InCell)])
 symbolsOf array (Drawn (high, wide) at@(r, c) _ beside) =
   ( block,
@@ -155,7 +155,7 @@ symbolsOf array (Drawn (high, wide) at@(r, c) _ beside) =
 supportSpec :: KnownField k => PseudorandomArray k -> Recogniser k -> Spec
 supportSpec array reader =
   withCases 37 300 $
-    it "is which symbols agree and which are wrong, by composites, of cells of a known distance" $
+    it "counts agreeing and wrong symbols of each composite, and states the cells' distance" $
       forAll (elements [((3, 3), 4), ((3, 4), 6), ((4, 4), 9), ((5, 5), 16)]) $ \(size, distance) ->
         forAll (elements [Guaranteed, Guaranteed, UpTo 0, UpTo 1, UpTo 3]) $ \stated ->
           forAll (genDrawn size) $ \drawn ->
@@ -200,7 +200,7 @@ supportSpec array reader =
     over m i = product [m - i + 1 .. m] `div` product [1 .. i]
     ratio a b = fromInteger a / fromInteger b :: Double
 
--- | Where the symbols of a block with others beside it are, seen as they were drawn.
+-- | The location of a block's symbols with additions, seen as they were drawn.
 locatedAs ::
   KnownField k =>
   Recogniser k ->
@@ -221,48 +221,48 @@ near a b = counterexample (show (a, b)) (abs (a - b) <= 1e-9 * (1 + abs b))
 
 refusalSpec :: KnownField k => PseudorandomArray k -> Recogniser k -> Spec
 refusalSpec array reader = do
-  it "symbols that lie another way up, too many to be wrong: WrongWayUp" $ do
-    -- Two of a place that is certain, one of either axis; as many as lie the first way.
+  it "too many symbols with another way up are WrongWayUp" $ do
+    -- Two of a certain place, and one of either axis; as many as lie the first way.
     told (block 3 3) {sceneBeside = [((0, 0), turnedOver 0), ((1, 1), turnedOver 1)]}
       `shouldBe` WrongWayUp
     told (block 3 3) {sceneAside = [sideways 0, sideways 1]} `shouldBe` WrongWayUp
     told (block 2 2) {sceneBeside = [((0, 2), turnedOver 1), ((1, 2), turnedOver 3)]}
       `shouldBe` WrongWayUp
     told (block 3 3) {sceneBeside = [((0, 0), turnedOver 0)]} `shouldBe` placed
-  it "symbols off the grid, too many to be wrong: OffTheGrid" $ do
+  it "too many symbols off the grid are OffTheGrid" $ do
     told (block 3 3) {sceneStrays = [stray 1, stray 3]} `shouldBe` OffTheGrid
     told (block 2 2) {sceneStrays = [stray 1]} `shouldBe` OffTheGrid
     told (block 3 3) {sceneStrays = [stray 1]} `shouldBe` placed
-  it "if both would account for it, the way up is what is told" $ do
+  it "if both reasons apply, WrongWayUp is reported" $ do
     told (block 3 3) {sceneStrays = [stray 1], sceneAside = [sideways 0]} `shouldBe` WrongWayUp
     told (block 3 3) {sceneStrays = [stray 1, stray 2], sceneAside = [sideways 0]}
       `shouldBe` OffTheGrid
-  it "groups that are at different places by themselves: GroupsApart" $ do
-    -- Beside a larger one, and as large.
+  it "groups that are placed differently are GroupsApart" $ do
+    -- Beside a larger group, and beside one of the same size.
     told (block 3 3) {sceneGroup = moved (0, 3) (blockOf array 2 2 (1, 1))} `shouldBe` GroupsApart
     told (block 2 2) {sceneGroup = moved (0, 3) (blockOf array 2 2 (1, 1))} `shouldBe` GroupsApart
     told (block 2 2) {sceneGroup = moved (0, 3) (blockOf array 2 2 (6, 8))} `shouldBe` placed
-  it "more wrong symbols than the distance lets be corrected: beyond-radius" $
+  it "more wrong symbols than the radius are beyond-radius" $
     for_ [((0, 0), (2, 2)), ((0, 1), (1, 1)), ((1, 0), (2, 1))] $ \(a, b) ->
       told (block 3 3) {sceneChanged = [a, b]} `shouldBe` Unplaced BeyondRadius
-  it "too many wrong looks at cells that others place: contradiction" $
+  it "too many wrong looks at cells that others place are a contradiction" $
     told (block 3 3) {sceneBeside = [((0, 0), otherwise' 0), ((2, 2), otherwise' 2)]}
       `shouldBe` Unplaced Contradiction
-  it "a place that the symbols have, but not likely enough: below-threshold" $
+  it "a place that fits but is not likely enough is below-threshold" $
     locationOutcome (asked standardTolerance {foreignPrior = 0.5} (block 2 2))
       `shouldBe` Unplaced BelowThreshold
-  it "zeros alone: zero-window" $
+  it "zeros alone are a zero-window" $
     told (block 2 2) {sceneBlock = [(at, (identity, 0)) | (at, _) <- blockOf array 2 2 (6, 5)]}
       `shouldBe` Unplaced ZeroWindow
-  it "symbols that are fewer than a window: no-complete-window" $
+  it "fewer symbols than a window are no-complete-window" $
     for_ [1, 2, 3] $ \n ->
       told (block 2 2) {sceneBlock = take n (blockOf array 2 2 (6, 5))}
         `shouldBe` Unplaced NoCompleteWindow
-  it "symbols that the network does not know, without a likely place: no-complete-window" $
+  it "symbols unknown to the network, without a likely place, are no-complete-window" $
     locationOutcome (locateGrid reader standardTolerance [] (gridOf unknown []))
       `shouldBe` Unplaced NoCompleteWindow
-  it "no complete symbol that is certain, however sure the parts: below-threshold" $
-    -- Wherever on the array, on a face or not.
+  it "without a certain complete symbol the answer is below-threshold, however sure the parts" $
+    -- Anywhere on the array, on a face or not.
     whenRight (placement (Shape 15 17) canonicalPitch [] []) $ \nothingLaid ->
       forAll ((,) <$> choose (0, 12) <*> choose (0, 13)) $ \(r, c) ->
         forAll (sublistOf [0 .. 11]) $ \complete ->
@@ -277,7 +277,7 @@ refusalSpec array reader = do
               anywhere = reader {recogniserPlacement = nothingLaid}
            in locationOutcome (locateGrid anywhere standardTolerance [] (gridOf seen []))
                 === (if null complete then Unplaced BelowThreshold else Placed at)
-  it "several places that have all complete windows, where windows are too small: Undecided" $ do
+  it "several places with all complete windows, if windows are too small, are Undecided" $ do
     window <- right (rectangle (Shape 1 2))
     reader' <- recogniserWith array window
     let pair = blockOf array 1 2 (6, 5)
@@ -320,7 +320,7 @@ refusalSpec array reader = do
       ]
     numbered from those = [(at, clear n what) | (n, (at, what)) <- zip [from ..] those]
 
--- | A block, and what stands beside it.
+-- | A block and its additions.
 data Built = Built
   { sceneBlock :: Block,
     -- | cells of the block that hold another class
@@ -335,7 +335,7 @@ data Built = Built
     sceneAside :: [(Symmetry, Int)]
   }
 
--- | The shipped recogniser, but for its window.
+-- | The shipped recogniser with another window.
 recogniserWith :: KnownField k => PseudorandomArray k -> Mask -> IO (Recogniser k)
 recogniserWith array window = do
   layout <- right canonicalPlacement

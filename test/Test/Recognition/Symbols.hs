@@ -9,8 +9,8 @@ import PraTactile.Recognise.Reading (ReadSymbol (..))
 import PraTactile.Segmentation (SymbolImage (..))
 import PraTactile.Symmetry
 
--- | A symbol with that number at that place of the first composite, of that orientation and class,
--- known to the network as that.
+-- | A symbol with this number at this place of the first composite, with this orientation and
+-- class, known to the network.
 symbolOf :: Int -> (Double, Double) -> (Symmetry, Int) -> ReadSymbol
 symbolOf n place what =
   ReadSymbol

@@ -1,5 +1,4 @@
--- | Reading the symbols of composites, and the parts of symbols beside them, on drawn composites of
--- which all is known.
+-- | Tests the reading of symbols, and of parts of symbols beside them, on drawn composites.
 module Test.Recognition.SymbolsRead (spec) where
 
 import Data.List (sort, sortOn)
@@ -33,10 +32,10 @@ spec = do
   knownSpec known paperReader
   withCases 2 20 (partSpec known (templates known) paperReader)
 
--- | A symbol that is drawn: its cell, its class, and how it is turned.
+-- | A drawn symbol: its cell, its class, and its orientation.
 type Placed = ((Int, Int), Int, Symmetry)
 
--- | An image of so many rows and columns of cells of 16 x 20, or, on their side, of 20 x 16, with
+-- | An image of this many rows and columns of cells of 16 x 20 (on their side, 20 x 16), with
 -- symbols in the middle of theirs.
 picture :: Alphabet -> Bool -> (Int, Int) -> [Placed] -> Raster
 picture known sideways size drawn' =
@@ -46,7 +45,7 @@ picture known sideways size drawn' =
     size
     [(cell, c, onRaster symmetry) | (cell, c, symmetry) <- drawn']
 
--- | Where the middle of a cell's symbol is, in pixels.
+-- | The middle of a cell's symbol, in pixels.
 middle :: Bool -> (Int, Int) -> (Double, Double)
 middle sideways (i, j)
   | sideways = (20 * fromIntegral j + 9.5, 16 * fromIntegral i + 7.5)
@@ -67,7 +66,7 @@ genDrawn sideways (high, wide) = do
 
 symbolSpec :: Alphabet -> Reader -> Spec
 symbolSpec known reader =
-  it "each symbol of an axis is read where it lies, on the first composite's grid, as what it is" $
+  it "each symbol of an axis is read at its place on the first composite's grid, as what it is" $
     forAll arbitrary $ \sideways ->
       forAll (choose (1, 3) >>= (`vectorOf` genDrawn sideways (2, 3))) $ \drawn ->
         forAll (vectorOf 3 ((,) <$> choose (-60, 60) <*> choose (-60, 60))) $ \origins ->
@@ -111,7 +110,7 @@ symbolSpec known reader =
                           ]
                   _ -> counterexample "refused" False
   where
-    -- Places to two pixels, across a border of which they may be told.
+    -- Places to two pixels; a place near a border may fall on either side.
     close found wanted =
       counterexample (show (found, wanted)) $
         length found == length wanted
@@ -120,7 +119,7 @@ symbolSpec known reader =
               | ((source, p), what) <- wanted
             ]
     beside (a, b) (c, d) = abs (a - c) <= 1 && abs (b - d) <= 1
-    -- The chances are of both orientations along the axis, and come to 1.
+    -- The probabilities cover both orientations along the axis, and add up to 1.
     probable axis s =
       let chances = readChances s
        in length chances === 8
@@ -129,7 +128,7 @@ symbolSpec known reader =
 
 placeSpec :: Alphabet -> Reader -> Spec
 placeSpec known reader =
-  it "a place on the first composite's grid shows on a view, as it is turned, what is there" $
+  it "a view shows at a place of the first composite's grid what is there, turned" $
     forAll (elements [identity, turned 1]) $ \axis ->
       forAll (genDrawn False (2, 2)) $ \drawn ->
         forAll ((,) <$> choose (-9, 9) <*> choose (-9, 9)) $ \(x, y) ->
@@ -156,7 +155,7 @@ placeSpec known reader =
 
 knownSpec :: Alphabet -> Reader -> Spec
 knownSpec known reader = do
-  it "most are known where three are at least, and more than half" $
+  it "mostKnown = at least three symbols are known, and more than half" $
     forAll ((,) <$> choose (0, 6) <*> choose (0, 6)) $ \(those, others) ->
       case readSymbols reader identity 0 [cleanly (compositeOf (picture known False (1, 1) []))] of
         Right [view] ->
@@ -167,7 +166,7 @@ knownSpec known reader = do
            in mostKnown [view {viewSymbols = one}, view {viewSymbols = two}]
                 === (those >= 3 && those > others)
         _ -> counterexample "no view" False
-  it "composites are mirrored where most symbols are known in the mirror, whichever way up" $ do
+  it "composites are mirrored if most symbols are known in the mirror, whichever way up" $ do
     let drawn = [((0, 0), 0, identity), ((0, 1), 1, identity), ((1, 0), 2, identity)]
         whole = drawn ++ [((1, 1), 3, identity)]
         asked those symmetry =
@@ -181,7 +180,7 @@ knownSpec known reader = do
 
 partSpec :: Alphabet -> Templates -> Reader -> Spec
 partSpec known seen reader =
-  it "beside its symbols each composite has the parts that are likelier one than all others" $
+  it "each composite has the parts that are likelier one class than all others together" $
     forAll (elements [identity, turned 1]) $ \axis ->
       forAll (genDrawn False (3, 3)) $ \drawn ->
         forAll (vectorOf 2 ((,) <$> choose (0, 14) <*> choose (0, 16))) $ \corners ->
@@ -203,7 +202,7 @@ partSpec known seen reader =
                               ]
                   _ -> property True
   where
-    -- What of an image lies right of and below a place, turned about the robot's origin.
+    -- The part of an image right of and below a place, turned about the robot's origin.
     cut sigma axis whole (left, top) =
       let (w, h) = (48 - left, 60 - top)
           part = generate w h (\x y -> fromMaybe 0 (index whole (x + left) (y + top)))
@@ -242,7 +241,8 @@ partSpec known seen reader =
           ordered = Map.map sort all'
        in Map.mapKeys (\(i, j) -> (i - low fst, j - low snd)) ordered
 
--- | What each free cell around a composite's symbols shows, where they have its middle in the mean.
+-- | The content of each free cell around a composite's symbols, at the mean place that they give to
+-- its middle.
 partsIn :: Templates -> Double -> FaceGrid -> View -> [((Int, Int), ReadSymbol)]
 partsIn seen sigma grid view =
   [ (cell, found)

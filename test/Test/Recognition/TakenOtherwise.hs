@@ -1,6 +1,6 @@
--- | The worked example's frames, whose positions or images are not what they are taken for. Each
--- kind is refused with what is wrong. Every advice that a refusal gives, followed to its end, leads
--- to the worked example's window.
+-- | Tests the worked example's frames with positions or images that are misinterpreted. Each kind
+-- is refused with the mistake. Every advice in a refusal, followed to its end, leads to the worked
+-- example's window.
 module Test.Recognition.TakenOtherwise (spec) where
 
 import Control.Applicative ((<|>))
@@ -27,8 +27,8 @@ spec :: Spec
 spec = do
   describe "axes of positions and images" axesSpec
   describe "scales of positions" scaleSpec
-  describe "what is seen where no symbol is" seenSpec
-  describe "positions that tell nothing" nothingSpec
+  describe "an image without readable symbols" seenSpec
+  describe "positions without information" nothingSpec
 
 -- A robot with y up, a sensor mounted turned, a camera that sees the overlay from behind.
 axesSpec :: Spec
@@ -40,7 +40,7 @@ axesSpec = do
       ended <- snd <$> followed 3 asStated written
       (axesName positions, axesName images, ended)
         `shouldBe` (axesName positions, axesName images, Right (Just exampleWindow))
-  -- Frames agree where the positions are taken along a besides, and with them whatever is done to
+  -- Frames agree if the positions are taken along a besides, and with them whatever is done to
   -- positions and images alike.
   it "remedies keep positions and images together, and show what is not mirrored" $
     for_ [(p, i, a, m) | p <- axes, i <- axes, a <- axes, m <- [Nothing, Just False, Just True]] $
@@ -53,7 +53,7 @@ axesSpec = do
               h = taken images (remedyImages remedy) <> invert (axesSymmetry images)
           taken positions (remedyPositions remedy) `shouldBe` h <> a <> axesSymmetry positions
           maybe True (== mirrored h) mirroredThen `shouldBe` True
-  it "of a whole image that is mirrored are named" $ do
+  it "of a whole mirrored image are named" $ do
     image <- reencoded (onRaster mirror) <$> Bytes.readFile "data/worked-example/composite.pgm"
     refused <- decoded asStated (WholeImage image)
     refused `shouldBe` Left (Mirrored [Remedy Nothing (lookup "-x,y" axesNamed)])
@@ -72,13 +72,13 @@ axesSpec = do
 -- Light that is no contact, and a camera with more pixels than there are taxels.
 seenSpec :: Spec
 seenSpec = do
-  it "is light and dark exchanged" $ do
+  it "is recognised as inverted" $ do
     image <- changed (mapRaster (1 -))
     decoded asStated (WholeImage image)
       `shouldReturn` Left (ShownInstead InsteadInverted NoSymbols)
     decoded asStated {preparedInverted = True} (WholeImage image)
       `shouldReturn` Right (Just exampleWindow)
-  it "is symbols of another size" $ do
+  it "is recognised as having symbols of another size" $ do
     image <- changed (resampled 2)
     decoded asStated (WholeImage image) >>= \refused -> case refused of
       Left (ShownInstead (InsteadScaled factor taxel) _) -> do
@@ -86,7 +86,7 @@ seenSpec = do
         decoded asStated {preparedTaxel = Just taxel} (WholeImage image)
           `shouldReturn` Right (Just exampleWindow)
       other -> expectationFailure (show other)
-  it "is nothing, or no symbol in a region that would hold some" $ do
+  it "is refused as flat, or as unknown if its size would hold a symbol" $ do
     decoded asStated (WholeImage (imageFile (constant 60 60 0)))
       `shouldReturn` Left (ShownInstead InsteadFlat NoSymbols)
     decoded asStated (WholeImage (imageFile (generate 60 60 stripes)))
@@ -121,7 +121,7 @@ nothingSpec = do
     case c of AgreeingAnywhere 24 0 0 -> True; _ -> False
   refusedAs "one coordinate is missing" (map (\(x, _) -> (x, 0))) anywhere
   refusedAs "one coordinate stands in both columns" (map (\(x, _) -> (x, x))) anywhere
-  refusedAs "they are another order's" (\ps -> drop 7 ps ++ take 7 ps) anywhere
+  refusedAs "they are in another order" (\ps -> drop 7 ps ++ take 7 ps) anywhere
   refusedAs "they are steps from one frame to the next" steps anywhere
   where
     refusedAs named change expected =
@@ -159,7 +159,8 @@ decoded known source = do
       Found found -> Just (windowPosition (foundWindow found))
       Several _ _ -> Nothing
 
--- | What a folder comes to, and what comes of following the first advice, at most so many times.
+-- | The result for a folder, and the result after following its first advice at most this many
+-- times.
 followed ::
   Int ->
   Preparation ->
@@ -200,7 +201,7 @@ withPositions change folder = folder {folderManifest = manifest {manifestEntries
       ]
     placeOf (Pose x y _) = (x, y)
 
--- | The file of an image that is changed.
+-- | The file of a changed image.
 reencoded :: (Raster -> Raster) -> ByteString -> ByteString
 reencoded change = either (const Bytes.empty) (imageFile . change . pgmIntensity) . decodePgm
 

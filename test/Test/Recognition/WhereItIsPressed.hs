@@ -1,4 +1,4 @@
--- | What is pressed lies where the truth says, and an experiment is its presses in their order.
+-- | Tests that a press lies where its truth says, and that an experiment is its presses in order.
 module Test.Recognition.WhereItIsPressed (spec) where
 
 import Data.Maybe (catMaybes)
@@ -31,14 +31,14 @@ spec = do
 pressSpec :: Spec
 pressSpec = do
   withCases 2 10 $
-    it "frames are what is felt of the true face where the true region has them" $
+    it "frames are what the sensor feels of the true face at the true region" $
       forAll ((,) <$> choose (1, 99999) <*> elements [(0, 0), (10, -20)]) $ \(seed, origin) ->
         forAll (elements [AmongTurns halfTurns, TurnedBy 33, AmongTurns [turned 1]]) $ \lying ->
           let how = (small seed) {pressingTurns = lying, pressingOrigin = origin}
            in whenRight (pressingOf how "cube") $ \(frames, truth) ->
                 whenRight (feltAt truth) $ \felt ->
                   map frameImage frames === map (felt . framePose) frames
-  it "the face asked for is pressed, named from any of its vertices, where it is asked for" $
+  it "the requested face, named from any vertex, is pressed at the requested place" $
     property $
       forAll (elements ["C1 C2 C3 C4", "C3 C4 C1 C2"]) $ \name ->
         whenRight
@@ -49,21 +49,21 @@ pressSpec = do
           $ \(_, truth) ->
             (faceText (faceName (truthFace truth)), regionCorner (truthRegion truth))
               === ("C1 C2 C3 C4", (12.7, 40))
-  it "each face of the object is drawn, and of no other" $ do
+  it "each face of the object is drawn, and of no other object" $ do
     let drawn seed = faceName . truthFace . snd <$> pressingOf (small seed) "parallelepiped"
         layout = either (const []) laidFaces canonicalPlacement
         own = [laidFace f | f <- layout, faceObject (laidFace f) == ObjectName "parallelepiped"]
     faces <- right (traverse drawn [1 .. 60])
     map faceName own `shouldSatisfy` all (`elem` faces)
     faces `shouldSatisfy` all (`elem` map faceName own)
-  it "a specimen has the same gains in other presses, and another one has others" $ do
+  it "a specimen has the same gains in other presses, and another specimen has others" $ do
     let gains seed one = map frameImage (flatPresses (spread seed) {pressingSpecimen = one} 1)
         spread seed = pressingWith idealSensor {sensorGainSpread = 0.2} seed
     gains 1 (Just 7) `shouldBe` gains 2 (Just 7)
     gains 2 (Just 7) `shouldSatisfy` (/= gains 2 (Just 8))
     gains 2 Nothing `shouldBe` gains 1 (Just 2)
     length (darkPresses (spread 1) 2) `shouldBe` 2
-  it "what cannot be pressed is told apart" $ do
+  it "each impossible press has its own error" $ do
     problem (pressingOf (small 1) "sphere") `shouldSatisfy` \e -> case e of
       Just (ObjectRefused _) -> True
       _ -> False
@@ -87,13 +87,13 @@ pressSpec = do
       Just (RegionOffFace _ size) -> size == (1.5875 * w, 1.5875 * h)
       _ -> False
 
--- | What is pressed of an object of the paper's.
+-- | A press of one of the paper's objects.
 pressingOf :: Pressing -> String -> Either PressError ([Frame], Truth)
 pressingOf how object =
   onPaper $ \(Setting array _ layout reader) ->
     pressed how (readerAlphabet reader) array layout (ObjectName object)
 
--- | What the ideal sensor feels of the true face at a pose in the robot's coordinates.
+-- | The ideal sensor's frame of the true face at a pose in the robot's coordinates.
 feltAt :: Truth -> Either String (Pose -> Raster)
 feltAt truth = do
   heights <- maybe (Left "no such face") Right (lookup (truthFace truth) felt)
@@ -108,7 +108,7 @@ feltAt truth = do
 
 experimentSpec :: Spec
 experimentSpec = do
-  it "as many results as presses, each that of the trial with its number" $
+  it "there are as many results as presses, each that of the trial with its number" $
     onPaper $ \setting -> do
       let experiment =
             (standardExperiment standardSensor) {experimentPresses = 3, experimentSeed = 5}
@@ -136,7 +136,7 @@ experimentSpec = do
             ReliefRefused _ -> "relief"
             BendRefused _ -> "bend"
       map (cause . refused) [(20, 24), (4, 4)] `shouldBe` ["none", "presses"]
-  it "the noise of a sensor is that at full scale, with what its elements differ by" $ do
+  it "a sensor's noise is the noise at full scale, with the spread of its elements" $ do
     let known sensor = stitchingNoise (assumedStitching sensor)
     known idealSensor {sensorNoise = 0.25, sensorNoiseSlope = 0, sensorGainSpread = 0}
       `shouldBe` Just 0.25

@@ -1,5 +1,5 @@
--- | What is found where a grid of symbols is located, from the definition of windows, at grids with
--- symbols that are wrong, unsure, upside down, missing, or in doubt.
+-- | Tests the windows of a located grid against their definition, on grids with symbols that are
+-- wrong, unsure, upside down, missing, or in doubt.
 module Test.Recognition.WindowsByDefinition (spec) where
 
 import Data.Foldable (for_)
@@ -27,7 +27,7 @@ spec =
     describe (unwords ["windows of", show (rows window), "x", show (columns window)]) $
       onPaperWith window $ \setting ->
         withCases 25 100 $
-          it "what is found are those whose symbols are the array's, or where most of them are" $
+          it "windows with all of the array's symbols are found; without any, one with the most" $
             forAll (elements [Torus, Sheet]) $ \surface ->
               let onArray' = cellOf surface (settingArray setting)
                   reader = recogniserOn surface setting
@@ -45,7 +45,7 @@ spec =
                             (choose (-45, 45))
                             (\skew -> foundSkewed reader skew location (scenePosition scene) found)
 
--- | Whether windows are seen where they turn to with their symbols.
+-- | Whether windows turn together with their symbols.
 foundSkewed ::
   KnownField k =>
   Recogniser k ->
@@ -65,7 +65,7 @@ foundSkewed reader skew location position found =
     close (x, y) (x', y') =
       counterexample (show ((x, y), (x', y'))) (abs (x - x') + abs (y - y') < 1e-6)
 
--- | Whether what is found at a scene's position is what the definition says.
+-- | Whether the finding at a scene's position is the one by definition.
 foundAsDefined :: Shape -> Placement -> OnArray -> Scene -> Maybe Finding -> Property
 foundAsDefined window' layout onArray' (Scene orientation position cells) answered =
   label (if null complete then "incomplete" else "complete") $ case (answered, wanted) of
@@ -109,7 +109,7 @@ foundAsDefined window' layout onArray' (Scene orientation position cells) answer
           let there = whereabouts layout window' p
       ]
     complete = filter (\(_, block, _) -> all (`elem` right') block) (windowsFrom (0, 0))
-    -- Where its symbols have the centre.
+    -- The centre of the window by its symbols.
     seenAt (i, j) block =
       mean
         [ (x - dx, y - dy)

@@ -88,13 +88,14 @@ plateOf it =
 ring :: Rational -> Description
 ring wide = plateOf (drilledWith 30 (wide, wide) [(60, 60, wide - 60, wide - 60)])
 
--- | Such plates, anywhere and in any direction.
+-- | Plates with a hole, anywhere and in any direction.
 plates :: Gen Description
 plates = do
   way <- affine
   shuffledFaces . moved way . plateOf =<< drilled
 
--- | The way round some holes, each entered at its first corner and left at its last to the next.
+-- | The walk round some holes. Each is entered at its first corner and left at its last to the
+-- next.
 bored :: [[a]] -> [a]
 bored rims = case rims of
   rim@(first : _) : others ->

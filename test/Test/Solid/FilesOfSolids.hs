@@ -1,7 +1,7 @@
 {-# LANGUAGE OverloadedStrings #-}
 
--- | Files of polyhedra: what is written is read again as it was, what others wrote is what it is
--- known to be, and what is no such file is refused with its place.
+-- | Tests files of polyhedra: written files are read unchanged, files of other programs are read as
+-- the known solids, and other files are refused with the place.
 module Test.Solid.FilesOfSolids (spec) where
 
 import Control.Monad (forM_, when)
@@ -27,22 +27,22 @@ import Test.QuickCheck
 spec :: Spec
 spec = do
   describe "what is written is read again" $ do
-    prop "as JSON, with its names, whatever it is" $
+    prop "as JSON, with the names, for any description" $
       forAllBlind solids $ \drawn ->
         back Json (fromDescription drawn) === Right (fromDescription drawn)
     forM_ [Off, Obj, PlyText] $ \format ->
-      prop ("as " ++ formatName format ++ ", exactly, where coordinates are decimal numbers") $
+      prop ("as " ++ formatName format ++ ", exactly, if coordinates are decimal numbers") $
         forAllBlind (moved decimal <$> solids) $ \drawn ->
           back format (fromDescription drawn) === Right (nameless (fromDescription drawn))
-    prop "as ply, exactly, where coordinates are machine numbers" $
+    prop "as ply, exactly, if coordinates are machine numbers" $
       forAllBlind (moved dyadic <$> solids) $ \drawn ->
         back Ply (fromDescription drawn) === Right (nameless (fromDescription drawn))
     forM_ [Stl, StlText] $ \format ->
-      it ("as " ++ formatName format ++ ", whose triangles make the faces again") $
+      it ("as " ++ formatName format ++ ", whose triangles merge into the faces again") $
         forM_ [Cube, Box 3 4 5, Pyramid 3 4 5, Octahedron 3, LShape 4 2 4] $ \solid ->
           fmap (shapeOf . mergeCoplanar) (back format (fromDescription (namedDescription solid)))
             `shouldBe` Right (shapeOf (fromDescription (namedDescription solid)))
-    it "in single precision what is rounded is counted: 101.6 mm is 101.5999984741211" $ do
+    it "single precision counts its rounded numbers: 101.6 mm is 101.5999984741211" $ do
       let it_ = fromDescription (namedDescription (Box 101.6 2 2))
           written = writeSolid Stl it_
       writtenRounded written `shouldBe` 4
@@ -50,7 +50,7 @@ spec = do
         (maximum . map (\(_, Point x _ _) -> x) . describedVertices . toDescription)
         (back Stl it_)
         `shouldBe` Right 101.59999847412109375
-  describe "what trimesh wrote" $ do
+  describe "a file of trimesh" $ do
     forM_ ["cube-binary.stl", "cube-ascii.stl", "cube.off", "cube.obj", "cube.ply"] $ \file ->
       it ("of a cube of 127 mm is six squares: " ++ file) $ do
         it_ <- theirs file
@@ -63,7 +63,7 @@ spec = do
       let report = examine it_
       (reportFaces report, map componentGenus (reportComponents report)) `shouldBe` (192, [Just 1])
       reportDefects report `shouldBe` []
-  describe "what OpenSCAD wrote" $
+  describe "a file of OpenSCAD" $
     forM_ ["bracket.stl", "bracket.off"] $ \file ->
       it ("of a bracket with a square hole is one piece of genus 1: " ++ file) $ do
         it_ <- theirs file
@@ -74,20 +74,20 @@ spec = do
           [(componentGenus c, componentVolume c) | c <- reportComponents report]
             `shouldBe` [(Just 1, Just (120 * 60 * 10 + 10 * 60 * 70 - 30 * 20 * 10))]
   describe "indices, ends and numbers" $ do
-    it "OBJ: negative and slashed indices, and lines that go on after a backslash" $
+    it "OBJ: negative and slashed indices, and lines that continue after a backslash, are read" $
       facesOf
         Obj
         "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\n\
         \f -4/1/1 -2//3 \\\n -3\nf 1 2 4 # and so on\n"
         `shouldBe` Right [["V1", "V3", "V2"], ["V1", "V2", "V4"]]
-    it "OFF: comments, colours, and counts on the first line" $
+    it "OFF: comments, colours, and counts on the first line are read" $
       facesOf Off "OFF 3 1 0 # of three\n\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2 255 0 0\n"
         `shouldBe` Right [["V1", "V2", "V3"]]
-    it "OFF: counts that follow the word OFF without a space, as in ModelNet" $
+    it "OFF: counts that follow the word OFF without a space, as in ModelNet, are read" $
       forM_ ["OFF", "OFF ", "COFF"] $ \word ->
         facesOf Off (word <> "3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n")
           `shouldBe` Right [["V1", "V2", "V3"]]
-    it "STL: the words end solid, end facet and end loop are endsolid, endfacet and endloop" $ do
+    it "STL: end solid, end facet and end loop are read as endsolid, endfacet and endloop" $ do
       let file end =
             "solid a b\nfacet normal 0 0 1\nouter loop\n"
               <> "vertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\n"
@@ -97,7 +97,7 @@ spec = do
       facesOf Stl (file (\word -> "End " <> word <> "\n"))
         `shouldBe` facesOf Stl (file (\word -> "end" <> word <> "\n"))
       facesOf Stl (file (\word -> "end" <> word <> "\n")) `shouldBe` Right [["V1", "V2", "V3"]]
-    it "STL: a binary header that begins as a byte order mark does is no mark" $ do
+    it "STL: a binary header may begin like a byte order mark" $ do
       bytes <- Bytes.readFile (folder </> "cube-binary.stl")
       readSolid Stl "x" ("\xEF\xBB\xBFsolid" <> Bytes.drop 8 bytes)
         `shouldBe` readSolid Stl "x" bytes
@@ -106,7 +106,7 @@ spec = do
       bytes <- Bytes.readFile (folder </> "cube-binary.stl")
       fmap contentsMesh (readSolid Stl (ObjectName "cube-binary") ("solid" <> Bytes.drop 5 bytes))
         `shouldBe` Right it_
-    it "PLY: other elements and properties are passed over, in either order of bytes" $ do
+    it "PLY: other elements and properties are skipped, in either order of bytes" $ do
       let header order =
             "ply\nformat " <> order <> " 1.0\ncomment x\nelement vertex 3\nproperty float x\n"
               <> "property uchar red\nproperty float y\nproperty float z\nelement thing 1\n"
@@ -128,7 +128,7 @@ spec = do
       facesOf Ply (header "binary_big_endian" <> big) `shouldBe` Right [["V1", "V2", "V3"]]
       fmap contentsPassed (readSolid Ply (ObjectName "x") (header "binary_big_endian" <> big))
         `shouldBe` Right [Passed "vertex.red", Passed "thing.w"]
-    it "PLY: a strip has a triangle a corner from the third on, all seen from the same side" $ do
+    it "PLY: a strip has a triangle for each corner from the third, all seen from one side" $ do
       let file element list =
             "ply\nformat ascii 1.0\nelement vertex 5\nproperty float x\nproperty float y\n\
             \property float z\nelement "
@@ -142,7 +142,7 @@ spec = do
         `shouldBe` Right [["V1", "V2", "V3"], ["V3", "V2", "V4"], ["V3", "V4", "V5"]]
       facesOf Ply (file "tristrips" "9 0 1 2 -1 2 1 3 -1 4")
         `shouldBe` Right [["V1", "V2", "V3"], ["V3", "V2", "V4"]]
-      -- A repeated corner makes no triangle, and counts in whose turn it is.
+      -- A repeated corner makes no triangle, but counts in the alternation of sides.
       facesOf Ply (file "tristrips" "6 0 1 2 2 3 4")
         `shouldBe` Right [["V1", "V2", "V3"], ["V4", "V3", "V5"]]
       facesOf Ply (file "tristrips" "4 0 1 5 3")
@@ -151,7 +151,7 @@ spec = do
         `shouldBe` Left (SolidFileError (AtLine 15) (NoSuchVertex (-1) 5))
       facesOf Ply (file "edge" "2 0 1")
         `shouldBe` Left (SolidFileError (AtLine 1) (Needed "the element face or tristrips"))
-    it "PLY: a header may end its lines with CR alone or CR LF, before bytes that look like ends" $
+    it "PLY: a header may end its lines with CR or CR LF, before bytes that look like line ends" $
       forM_ ["\n", "\r\n", "\r"] $ \end -> do
         -- The first coordinate begins with the byte of LF, the second with a byte order mark.
         let header =
@@ -173,7 +173,7 @@ spec = do
           (map snd . describedVertices . toDescription . contentsMesh)
           (readSolid Ply "x" (header <> "\n\0\0\0\xEF\xBB\xBF\0\r\n\0\0"))
           `shouldBe` Right [Point 10 0xBFBBEF 0x0A0D]
-    it "PLY: integers of each type are in bytes what they are in words, up to both ends" $
+    it "PLY: integers of each type are the same in bytes as in words, up to both limits" $
       forM_ integerTypes $ \(kind, size, least, largest) ->
         forM_ [least, -1, 1, largest `div` 2 + 1, largest] $ \n -> do
           let header coding =
@@ -191,14 +191,14 @@ spec = do
               \(coding, number) ->
                 (kind, n, meshOf (header coding <> file number))
                   `shouldBe` (kind, n, meshOf (header "ascii" <> words'))
-    it "STL: attributes in either of their two bytes are told" $ do
+    it "STL: attributes in either of their two bytes are reported" $ do
       bytes <- Bytes.readFile (folder </> "cube-binary.stl")
       forM_ [[0, 0], [1, 0], [0, 1]] $ \pair -> do
         let changed = Bytes.take 132 bytes <> Bytes.pack pair <> Bytes.drop 134 bytes
             told = contentsPassed <$> readSolid Stl (ObjectName "x") changed
         (pair, elem (Passed "attributes of triangles") <$> told)
           `shouldBe` (pair, Right (pair /= [0, 0]))
-    it "JSON: names, and fractions that are what they say" $
+    it "JSON: names and exact fractions are read" $
       fmap
         (describedVertices . toDescription . contentsMesh)
         ( readSolid
@@ -208,7 +208,7 @@ spec = do
             \\"at\":[\"127/4\",\"31.75\",\"0\"]}],\"faces\":[]}"
         )
         `shouldBe` Right [(VertexName "A", Point (127 / 4) (127 / 4) 0)]
-    it "equal points are one vertex in every format: a box, each face with vertices of its own" $ do
+    it "equal points become one vertex in every format: a box, each face with its own vertices" $ do
       let Description _ points faces = namedDescription (Box 130 163 101.6)
           corners =
             [ (round (x * 10), round (y * 10), round (z * 10))
@@ -240,7 +240,7 @@ spec = do
       -- A vertex keeps the number that the file gives it.
       facesOf Obj "v 0 0 0\nv 1 0 0\nv 1e0 0 0\nv 0 1 0\nf 1 3 4\n"
         `shouldBe` Right [["V1", "V2", "V4"]]
-    it "OBJ: numbers below 10^300, of up to 400 decimal places and 1000 characters" $
+    it "OBJ: numbers below 10^300, of up to 400 decimal places and 1000 characters, are read" $
       forM_
         [ ("-999e297", -999 * 10 ^ (297 :: Int)),
           ("10.1e-399", 101 / 10 ^ (400 :: Int)),
@@ -251,11 +251,11 @@ spec = do
             (map snd . describedVertices . toDescription . contentsMesh)
             (readSolid Obj (ObjectName "x") ("v 0 0 " <> text <> "\n"))
             `shouldBe` Right [Point 0 0 number]
-  describe "what is no such file is refused where it ceases to be one" $
+  describe "a malformed file is refused at its first fault" $
     forM_ refusals $ \(what, format, bytes, fault) ->
       it (formatName format ++ ": " ++ what) $
         fmap contentsMesh (readSolid format (ObjectName "x") bytes) `shouldBe` Left fault
-  prop "OBJ: it is told where a line begins, after however many, over however many it goes on" $
+  prop "OBJ: a fault names the line where it begins, after any lines and over any continuation" $
     forAll (elements [(file, n, why) | (_, Obj, file, SolidFileError (AtLine n) why) <- brief]) $
       \(bytes, n, why) ->
         forAll (resize 4 (listOf (elements ["", "# \\", "g one", "g one \\\nand another"]))) $
@@ -306,7 +306,7 @@ refusals =
       at 4 (Ends "its first vertex, a line v X Y Z")
     ),
     ("a text of another format", Off, "v 0 0 0\n", at 1 (Needed "the word OFF")),
-    ("a word that OFF begins", Off, "OFFER 1 0 0\n", at 1 (Needed "the word OFF")),
+    ("a longer word that begins with OFF", Off, "OFFER 1 0 0\n", at 1 (Needed "the word OFF")),
     ("a text of another format", Ply, "v 0 0 0\n", at 1 (Needed "the word ply")),
     ( "a text of another format",
       Stl,
@@ -363,8 +363,7 @@ refusals =
         <> Lazy.toStrict (Builder.toLazyByteString (Builder.word32LE (fromIntegral count)))
         <> Bytes.replicate (50 * there) 0
 
--- | The names that PLY has for types of integers, with how many bytes they have, and the least and
--- the largest of them.
+-- | The names of PLY's types of integers, with their bytes, their least and their largest values.
 integerTypes :: [(ByteString, Int, Integer, Integer)]
 integerTypes =
   [ (name, size, if signed then negate half else 0, if signed then half - 1 else 2 * half - 1)
@@ -405,7 +404,7 @@ facesOf format bytes =
   map (map vertexText . faceVertices) . describedFaces . toDescription . contentsMesh
     <$> readSolid format (ObjectName "x") bytes
 
--- | With the names that vertices without a name are given.
+-- | The mesh with the names that unnamed vertices are given.
 nameless :: Mesh -> Mesh
 nameless it_ =
   withShape
@@ -415,7 +414,7 @@ nameless it_ =
     (meshWalks it_)
     it_
 
--- | What does not depend on the order of vertices and faces.
+-- | Measures of a mesh that do not depend on the order of vertices and faces.
 shapeOf :: Mesh -> (Int, Int, Int, [Maybe Rational])
 shapeOf it_ =
   ( reportVertices report,

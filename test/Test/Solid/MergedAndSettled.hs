@@ -1,6 +1,7 @@
 {-# LANGUAGE OverloadedStrings #-}
 
--- | Triangles put together to the faces that they were, and vertices moved so that faces are flat.
+-- | Tests the merging of triangles into the faces they came from, and the moving of vertices so
+-- that faces are flat.
 module Test.Solid.MergedAndSettled (spec) where
 
 import Data.List (nub, sort, unfoldr, (\\))
@@ -29,32 +30,32 @@ import Test.Solid.Drilled
 spec :: Spec
 spec = do
   describe "coplanar faces" $ do
-    prop "cut into triangles, are the solid's own faces again, where none has a hole" $
+    prop "cut into triangles are merged into the solid's own faces, if none has a hole" $
       forAll (elements whole) $ \solid ->
         let it_ = fromDescription (namedDescription solid)
          in faces (mergeCoplanar (cut it_)) === faces it_
-    prop "cut into triangles, a solid is one of the same volume, and so it is merged" $
+    prop "cut into triangles and merged, form a valid solid of the same volume" $
       forAllBlind solids $ \drawn ->
         let it_ = fromDescription drawn
          in map volumes [cut it_, mergeCoplanar (cut it_)] === [volumes it_, volumes it_]
               .&&. map (reportValid . examine) [cut it_, mergeCoplanar (cut it_)] === [True, True]
-    prop "with holes, cut into triangles, are the plate's own faces again, rim by rim" $
+    prop "with holes, cut into triangles, are merged into the plate's own faces, rim by rim" $
       forAllBlind drilled $ \plate ->
         forAllBlind affine $ \way ->
           let it_ = fromDescription (moved way (plateOf plate))
               merged = mergeCoplanar (cut it_)
            in (rimsOf merged, reportDefects (examine merged)) === (rimsOf it_, [])
-    it "the rings of a frame are one face each" $
+    it "of a frame's rings are merged into one face each" $
       V.length (meshWalks (mergeCoplanar (fromDescription (namedDescription (Frame 9 9 3)))))
         `shouldBe` 2 + 4 + 4
-    it "whose holes touch at a vertex are polygons without holes there" $ do
+    it "with holes that touch at a vertex become polygons without holes there" $ do
       let it_ = fromDescription pitted
           merged = mergeCoplanar it_
       map (reportValid . examine) [it_, merged] `shouldBe` [True, True]
       map volumes [merged] `shouldBe` [volumes it_]
       [U.length walk | walk <- V.toList (meshWalks merged), not (null (repeated walk))]
         `shouldBe` []
-    prop "with holes are cut into faces without, each a part of one, which fill it" $
+    prop "with holes are cut into faces without holes, which are parts of one face and fill it" $
       forAllBlind drilled $ \plate ->
         let it_ = fromDescription (plateOf plate)
             areas mesh_ = map (doubleArea . cornersOf mesh_) (V.toList (meshWalks mesh_))
@@ -67,29 +68,29 @@ spec = do
                   === areas it_
                 | (owners, parts) <- withoutHoles it_
               ]
-    it "a vertex in the middle of an edge goes, and the walk begins at the first vertex" $
+    it "lose a vertex in the middle of an edge, and begin at the first vertex" $
       faces (mergeCoplanar (fromDescription halved))
         `shouldBe` faces
           (fromDescription (namedDescription Cube))
   describe "a tolerance" $ do
-    prop "makes solids flat again that were rounded to thousandths, moving less than that" $
+    prop "makes solids that were rounded to thousandths flat again, moving less than it allows" $
       forAllBlind flatter $ \(drawn, digits) ->
         let rounded = fromDescription (moved (roundTo digits) drawn)
          in counterexample (show drawn) $
               case settled 0.01 False rounded of
                 Left why -> counterexample (show why) False
                 Right (Settled flat _ most _) -> (most <= 0.01) .&&. map defects [flat] === [[]]
-    it "leaves a cube as it is" $ do
+    it "leaves a cube unchanged" $ do
       let it_ = fromDescription (namedDescription Cube)
       fmap
         (\(Settled same count most left) -> (same, count, most, left))
         (settled 0.5 True it_)
         `shouldBe` Right (it_, 0, 0, 0)
-    it "puts vertices together that are no further apart, and no others" $ do
+    it "joins vertices up to its distance, and no others" $ do
       let it_ = fromDescription (namedDescription (Box 100 100 0.5))
           left mm = V.length . meshPoints . settledMesh <$> settled mm False it_
       map left [0.5, 0.499] `shouldBe` [Right 4, Right 8]
-    it "refuses coordinates of more than 2^28 binary digits, which is told, and moves nothing" $ do
+    it "refuses coordinates of more than 2^28 binary digits, states it, and moves nothing" $ do
       -- Parallelograms, each with a corner a millimetre off, in planes that have nothing in common.
       let quads = 1500
           drawn = take (9 * quads) (unfoldr (Just . uniformR (-4096, 4096)) (mkStdGen 7))
@@ -106,11 +107,11 @@ spec = do
       either (\(TooFine bits) -> bits > 2 ^ (28 :: Int)) (const False) (settled 1 False it_)
         `shouldBe` True
       sufficient it_ `shouldBe` Nothing
-    it "tells what would do" $
+    it "is suggested where one suffices" $
       forAllMoved $ \off ->
         fromMaybe 0 (sufficient (fromDescription off)) `shouldSatisfy` (\mm -> mm > 0 && mm < 1)
   modifyMaxSuccess (const 25) . describe "triangles without area" $ do
-    prop "beside any edges, halved again and again, go; the solid is as it was" $
+    prop "beside any edges, halved repeatedly, are removed, and the solid is unchanged" $
       forAllBlind solids $ \drawn ->
         forAll (listOf (choose (0, 1000))) $ \places ->
           let it_ = cut (fromDescription drawn)
@@ -123,7 +124,7 @@ spec = do
                       .&&. (reportValid (examine made), volumes made) === (True, volumes it_)
                 )
                 (settled 1e-6 False spoilt')
-    prop "that have a little go likewise, and their vertex to the line" $
+    prop "with a small area are removed, and their vertex is moved to the line" $
       forAll (elements [Cube, Box 100 60 40, Prism 5 60 20, LShape 100 50 80]) $ \solid ->
         forAll ((,) <$> choose (0, 1000) <*> vectorOf 3 (choose (-9, 9 :: Integer))) $
           \(place, off) ->
@@ -136,14 +137,14 @@ spec = do
                   (\why -> counterexample (show why) False)
                   (\made -> faces (mergeCoplanar (settledMesh made)) === faces (mergeCoplanar it_))
                   (settled 0.001 True spoilt')
-    it "a walk loses what it walks back at once" $
+    it "leave a walk without the steps that it takes back at once" $
       [ if length kept < 3 then [] else kept
         | kept <-
             map tidied [[1, 2, 3], [1, 2, 1], [1, 2, 3, 2], [1, 2, 2, 3, 4, 3], [1, 1, 2, 3, 1], []]
       ]
         `shouldBe` [[1, 2, 3], [], [], [1, 2, 3], [1, 2, 3], []]
-  modifyMaxSuccess (const 25) . describe "faces that are turned" $ do
-    prop "are found, whichever they are, and turned back; of solids in hollows as well" $
+  modifyMaxSuccess (const 25) . describe "reversed faces" $ do
+    prop "are all found and turned back, also in solids within hollows" $
       forAllBlind solids $ \drawn ->
         forAll (infiniteListOf arbitrary) $ \which ->
           let it_ = fromDescription drawn
@@ -154,7 +155,7 @@ spec = do
       let inner = labelled "inner" (moved (shifted 3) (namedDescription (Box 3 3 3)))
           (right, found) = oriented (fromDescription (both (namedDescription (Box 9 9 9)) inner))
       (found, reportValid (examine right)) `shouldBe` ([6 .. 11], True)
-    it "a surface with one side stays as it is, and one with a rim turns the fewer" $ do
+    it "a one-sided surface is unchanged; one with a rim has the fewer faces turned" $ do
       let strip walks =
             fromDescription
               ( Description
@@ -168,11 +169,11 @@ spec = do
           rim = strip ["0 1 2", "1 2 3", "2 3 4"]
       oriented moebius `shouldBe` (moebius, [])
       oriented rim `shouldBe` (strip ["0 1 2", "1 3 2", "2 3 4"], [1])
-  modifyMaxSuccess (const 25) . describe "what would mend it" $ do
+  modifyMaxSuccess (const 25) . describe "the advice" $ do
     let advice it_ = wouldMend asItIs it_ (examine it_)
         followed it_ how =
           either (const False) (reportValid . examine . mendedMesh) (mended how it_)
-    prop "triangles of vertices of their own, off by a little: a tolerance, which does it" $
+    prop "for separate triangles with small errors is a tolerance, which mends the solid" $
       forAllBlind (elements [Cube, Box 100 60 40, LShape 100 50 80]) $ \solid ->
         forAllBlind (infiniteListOf (choose (-9, 9 :: Integer))) $ \noise ->
           let it_ = scattered noise (cut (fromDescription (namedDescription solid)))
@@ -180,8 +181,8 @@ spec = do
                 Just how ->
                   (mendOrientation how, followed it_ how) === (False, True)
                     .&&. (mendTolerance how `elem` [Just 1e-6, Just 1e-5, Just 1e-4]) === True
-                Nothing -> counterexample "none" False
-    it "faces turned, alone and with that" $ do
+                Nothing -> counterexample "no advice" False
+    it "for reversed faces, alone or with small errors, is to turn them" $ do
       let box = cut (fromDescription (namedDescription (Box 100 60 40)))
           turned = turnedAt [1, 4] box
           apart = scattered (cycle [3, -2, 5, 0, 7]) turned
@@ -189,7 +190,7 @@ spec = do
       fmap mendOrientation (advice apart) `shouldBe` Just True
       map (\it_ -> fmap (followed it_) (advice it_)) [turned, apart]
         `shouldBe` [Just True, Just True]
-    it "nothing, where a face is missing, or nothing is wrong" $ do
+    it "is Nothing if a face is missing or nothing is wrong" $ do
       let box = fromDescription (namedDescription (Box 100 60 40))
           described = toDescription box
           open = fromDescription described {describedFaces = drop 1 (describedFaces described)}
@@ -215,11 +216,11 @@ spec = do
                 }
         )
 
--- | What a walk visits more than once.
+-- | The vertices that a walk visits more than once.
 repeated :: U.Vector Int -> [Int]
 repeated walk = let visited = U.toList walk in visited \\ nub visited
 
--- | The faces by the rims that each has, those by their vertices' places from the least.
+-- | The faces by the rims of each, those by their vertices' places from the least.
 rimsOf :: Mesh -> [[[Point]]]
 rimsOf it_ =
   sort
@@ -227,8 +228,8 @@ rimsOf it_ =
       | walk <- V.toList (meshWalks it_)
     ]
 
--- | A block with two pits in its upper face, each a pyramid upside down, that have one vertex in
--- common; that face is of unit squares.
+-- | A block with two pits in its upper face, each an inverted pyramid, that share one vertex. That
+-- face is made of unit squares.
 pitted :: Description
 pitted =
   Description
@@ -267,7 +268,7 @@ faces it_ =
   where
     least = minimum . rotations
 
--- | Some faces the other way round.
+-- | The mesh with some faces reversed.
 turnedAt :: [Int] -> Mesh -> Mesh
 turnedAt which it_ =
   withShape
@@ -277,9 +278,9 @@ turnedAt which it_ =
     (V.imap (\f walk -> if f `elem` which then U.reverse walk else walk) (meshWalks it_))
     it_
 
--- | Triangles, of which one is halved by a vertex in the middle of its first side, moved by this; a
--- triangle of that vertex and the side's ends, of nearly no area, lies between them and what is
--- across the side, as exporters leave it.
+-- | Triangles, of which one is halved by a vertex in the middle of its first side, moved by this
+-- vector. A triangle of that vertex and the side's ends, of nearly no area, lies between the halves
+-- and the face across the side, as exporters leave it.
 split :: Point -> Mesh -> Int -> Mesh
 split (Point dx dy dz) it_ place =
   fromDescription
@@ -290,7 +291,7 @@ split (Point dx dy dz) it_ place =
   where
     described = toDescription it_
     middle = VertexName ("M" ++ show (length (describedVertices described)))
-    -- One that has an area.
+    -- A triangle that has an area.
     chosen = wide !! (place `mod` length wide)
     wide =
       [ f
@@ -306,7 +307,7 @@ split (Point dx dy dz) it_ place =
       [a, b, c] | f == chosen -> map FaceName [[a, middle, c], [middle, b, c], [a, b, middle]]
       _ -> [FaceName walk]
 
--- | Each face with vertices of its own, each a few millionths from where it was.
+-- | The mesh whose faces have their own vertices, each a few millionths from its place.
 scattered :: [Integer] -> Mesh -> Mesh
 scattered noise it_ =
   fromDescription
@@ -326,7 +327,7 @@ scattered noise it_ =
       a : b : c : others -> (a, b, c) : triples others
       _ -> []
 
--- | Every face as triangles.
+-- | The mesh with every face cut into triangles.
 cut :: Mesh -> Mesh
 cut it_ =
   withShape
@@ -341,8 +342,8 @@ cut it_ =
     )
     it_
 
--- | Solids with three faces of more than three corners at a vertex at most, turned, and how many
--- digits are kept of them.
+-- | Solids with at most three faces of more than three corners at a vertex, turned, and the number
+-- of digits to keep.
 flatter :: Gen (Description, Int)
 flatter = do
   solid <- elements [Cube, Box 100 60 40, Prism 5 60 20, LShape 100 50 80, Pyritohedron 90]

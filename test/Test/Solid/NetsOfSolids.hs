@@ -1,7 +1,7 @@
 {-# LANGUAGE OverloadedStrings #-}
 
--- | Solids unfolded: numbers of unfoldings and of nets, beside the definition and those that are
--- known; nets folded again to the solid; and nets cut into parts.
+-- | Tests unfoldings of solids: the numbers of unfoldings and of nets against the definition and
+-- known numbers; nets folded again to the solid; and nets cut into parts.
 module Test.Solid.NetsOfSolids (spec) where
 
 import qualified Data.ByteString as Bytes
@@ -25,16 +25,16 @@ import Test.Support (signedArea)
 
 spec :: Spec
 spec = do
-  describe "numbers that are known" $ do
-    it "of spanning trees" $
+  describe "known numbers" $ do
+    it "of spanning trees are computed" $
       map (spanningTrees . whole . namedDescription . fst) known `shouldBe` map snd known
-    it "of 16 unfoldings of a convex solid 2 overlap" $ do
+    it "of overlaps: 2 of 16 unfoldings of a convex solid" $ do
       bytes <- Bytes.readFile "data/solids/overlapping.off"
       Contents it_ _ <- either (fail . show) pure (readSolid Off "overlapping" bytes)
       tetrahedron <- either (fail . show) pure (solidOf it_)
       (spanningTrees tetrahedron, length (nets tetrahedron)) `shouldBe` (16, 14)
   describe "unfoldings" $ do
-    withCases 10 40 . prop "are laid the same wherever and however the solid lies" $
+    withCases 10 40 . prop "have the same layout wherever and however the solid lies" $
       forAll small $ \drawn ->
         forAllBlind turns $ \turned ->
           let (it_, other) = (whole drawn, whole (moved turned drawn))
@@ -46,7 +46,7 @@ spec = do
                       let laid = (layOut it_ a, layOut other b)
                   ]
   describe "a net" $ do
-    withCases 10 40 . prop "is found, unless there is none, and no two of its faces overlap" $
+    withCases 10 40 . prop "is found if there is one, and no two of its faces overlap" $
       forAllSolids smaller $ \it_ -> case pickNet 100000 it_ of
         Right tree -> isNet it_ tree
         Left EveryOneOverlaps -> length (nets it_) === 0
@@ -59,7 +59,7 @@ spec = do
               (face, corners) <- foldedAgain it_ (layOut it_ tree),
               (v, at) <- zip (faceVertices face) corners
           ]
-    it "is found of prisms of many sides and of rings" . once $
+    it "is found of prisms with many sides and of rings" . once $
       conjoin
         [ either (\why -> counterexample (show why) False) (isNet it_) (pickNet 1000 it_)
           | it_ <- map (whole . namedDescription) [Prism (byEffort 30 100) 60 20, Frame 90 90 30]
@@ -78,14 +78,14 @@ spec = do
                 let side part = (extent part +) <$> choose (6, 18) in (,) <$> side fst <*> side snd
               ]
          in forAll (oneof rooms) $ \room -> maybe (property True) (onPages it_ room) net
-    it "is found of a plate with a hole, and where there is none, of its parts" $ do
+    it "is found of a plate with a hole or, if there is none, of the plate's parts" $ do
       let told most it_ = case pickCut most it_ of
             Right (lying, owners, _) ->
               Right (length (solidFaces lying), owners == solidFaces it_)
             Left why -> Left why
       told 10000 (whole (ring 220)) `shouldBe` Right (10, True)
       fmap snd (told (byEffort 1000 10000) (whole (ring 160))) `shouldBe` Right False
-    it "is none of several pieces" $
+    it "does not exist for several pieces" $
       pickNet 10 (whole (both (labelled "a" far) (labelled "b" (namedDescription Cube))))
         `shouldBe` Left SeveralPieces
   where
@@ -95,8 +95,7 @@ spec = do
 nets :: Solid -> [Unfolding]
 nets = catMaybes . take 1000 . searched
 
--- | Whether an unfolding joins all faces, and no two of them have an area in common where it is
--- laid.
+-- | Whether an unfolding joins all faces, and no two laid faces have an area in common.
 isNet :: Solid -> Unfolding -> Property
 isNet it_ tree =
   isSpanning it_ (foldedEdges it_ tree)
@@ -108,7 +107,7 @@ isNet it_ tree =
          ]
     === []
 
--- | Solids, and how many unfoldings they have.
+-- | Solids, and their numbers of unfoldings.
 known :: [(Named, Natural)]
 known =
   [ (Tetrahedron 100, 16),
@@ -127,12 +126,12 @@ whole = either (error . show) id . solid
 forAllSolids :: Testable p => Gen Description -> (Solid -> p) -> Property
 forAllSolids drawn check = forAll drawn (check . whole)
 
--- | Solids of one piece and at most ten faces, that have not too many unfoldings.
+-- | Solids of one piece with at most ten faces and few unfoldings.
 small, smaller :: Gen Description
 small = solids `suchThat` \it_ -> spanningTrees (whole it_) `elem` [1 .. 10000]
 smaller = solids `suchThat` \it_ -> spanningTrees (whole it_) `elem` [1 .. 400]
 
--- | Rational rotations, and a way.
+-- | Rational rotations, and a translation.
 turns :: Gen (Point -> Point)
 turns = do
   (a, b) <- (,) <$> part <*> part
@@ -145,7 +144,7 @@ turns = do
   where
     part = (/ 7) . fromInteger <$> choose (1, 6)
 
--- | Whether the faces are connected by these edges, of which there are as many as that takes.
+-- | Whether these edges connect the faces and are as many as that takes.
 isSpanning :: Solid -> [EdgeName] -> Property
 isSpanning it_ folds =
   length folds === length faces - 1 .&&. sort (reached (take 1 faces)) === sort faces
@@ -170,7 +169,7 @@ distances :: Solid -> FaceName -> [Double]
 distances it_ f =
   [apart (placeOf it_ v) (placeOf it_ w) | v <- faceVertices f, w <- faceVertices f]
 
--- | Whether the parts for pages of this size are what they are to be.
+-- | Whether the parts for pages of this size are correct.
 onPages :: Solid -> (Double, Double) -> Net -> Property
 onPages it_ room@(wide, high) net = case partsFor room net of
   Left face ->
@@ -186,9 +185,9 @@ onPages it_ room@(wide, high) net = case partsFor room net of
      in label (if length parts > 1 then "several parts" else "one part") . conjoin $
           [ sort (map netFaceName faces) === sort (solidFaces it_),
             length numbers + length folds === length (solidEdges it_),
-            counterexample "beyond the page" . property $
+            counterexample "a part is beyond the page" . property $
               all inside (concatMap netCorners faces ++ concat tabs),
-            counterexample "a face of another form" . property $
+            counterexample "a face has another form" . property $
               and
                 [ abs (flatApart p q - apart (placeOf it_ v) (placeOf it_ w)) < 1e-6
                   | face <- faces,
@@ -201,7 +200,7 @@ onPages it_ room@(wide, high) net = case partsFor room net of
                    conjoin
                      [ map rimEdge [one, other] === replicate 2 (rimEdge one),
                        counterexample "two tabs" (null (rimTab one) || null (rimTab other)),
-                       counterexample "elsewhere" $
+                       counterexample "a cut edge is listed in another part" $
                          and
                            [ other' `elem` partRims (parts !! (rimPart one' - 1))
                              | (one', other') <- [(one, other), (other, one)]
@@ -211,7 +210,7 @@ onPages it_ room@(wide, high) net = case partsFor room net of
                    [one, other] <- [filter ((== k) . rimNumber) rims]
                ]
             ++ [sort (map rimNumber rims) === sort (numbers ++ numbers)]
-            ++ [ counterexample "a tab on what is there" (common tab other < 1e-6 * common tab tab)
+            ++ [ counterexample "a tab lies on something" (common tab other < 1e-6 * common tab tab)
                  | part <- parts,
                    let own = mapMaybe rimTab (partRims part),
                    tab : others <- tails own,

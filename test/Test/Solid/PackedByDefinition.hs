@@ -1,6 +1,6 @@
--- | Packing, beside what it means: on small sheets a search on lists says whether there is a
--- packing; for larger ones there are a theorem, sheets that were cut into pieces, and puzzles whose
--- answers are known. Whatever is packed is counted on lists, cell by cell.
+-- | Tests packing against its definition. On small sheets a search on lists decides; for larger
+-- sheets there are a theorem, sheets that were cut into pieces, and puzzles with known answers. The
+-- cells of each packing are counted on lists.
 module Test.Solid.PackedByDefinition (spec) where
 
 import qualified Data.IntSet as IntSet
@@ -20,7 +20,7 @@ import Test.QuickCheck
 spec :: Spec
 spec = do
   describe "a mask" $ do
-    prop "has the cells that it is made of, each once, row by row" $
+    prop "has the cells that it was made of, each once, row by row" $
       forAll shape $ \(size, cells) ->
         forAll (shuffle (cells ++ take 2 cells)) $ \told ->
           fmap maskCells (maskOf size told) === Just (sort cells)
@@ -28,12 +28,12 @@ spec = do
       forAll ((,) <$> side <*> side) $ \size ->
         forAll (smallList ((,) <$> side <*> side)) $ \cells ->
           (maskOf size cells == Nothing) === (null cells || not (all (inside size) cells))
-    it "of all cells is the block" $
+    it "of all cells equals the block" $
       and [maskOf (r, c) (allCells (r, c)) == Just (block (r, c)) | r <- [1 .. 4], c <- [1 .. 4]]
   describe "on small sheets" $ do
-    withCases 1000 10000 . prop "is decided, with its reason, as the definition has it" $
+    withCases 1000 10000 . prop "packing is decided, with its reason, as the definition decides" $
       byEffort property checkCoverage . asDefined
-    it "is so of all threes of pieces up to three cells, on all sheets up to 4 x 5" $
+    it "packing follows the definition for all threes of pieces of up to three cells, up to 4 x 5" $
       [ question
         | size <- allCells (4, 5),
           chosen <- upToThree polyominoes,
@@ -42,26 +42,26 @@ spec = do
       ]
         `shouldBe` []
   describe "on larger sheets" $ do
-    prop "equal blocks are as many as those of a grid, at most" blocksOfAGrid
+    prop "at most as many equal blocks are packed as a grid has" blocksOfAGrid
     prop "single cells fill what a block of any length leaves" besideALongBlock
-    withCases 30 200 . prop "is not impossible of what a sheet was cut into" $ cutUp
-    prop "does not depend on the order of pieces and alternatives" anyOrder
+    withCases 30 200 . prop "packing is never called impossible for the pieces of a sheet" $ cutUp
+    prop "the answer does not depend on the order of pieces and alternatives" anyOrder
   describe "puzzles" $ do
-    it "pentominoes: all twelve on 3 x 20, 4 x 15, 5 x 12 and 6 x 10" $
+    it "all twelve pentominoes fill 3 x 20, 4 x 15, 5 x 12 and 6 x 10" $
       [ outcomeOf (Question size [] (map turnedAndMirrored pentominoes))
         | size <- [(3, 20), (4, 15), (5, 12), (6, 10)]
       ]
         `shouldBe` replicate 4 "packed"
-    it "pentominoes on 8 x 8 without the middle four cells" $
+    it "the pentominoes fill 8 x 8 without the middle four cells" $
       outcomeOf
         (Question (8, 8) [(((2, 2), allCells (2, 2)), (3, 3))] (map turnedAndMirrored pentominoes))
         `shouldBe` "packed"
-    it "the five tetrominoes on no rectangle: one of them has three dark cells" $
+    it "the five tetrominoes fill no rectangle: one of them has three dark cells" $
       [ outcomeOf (Question size [] (map turnedAndMirrored tetrominoes))
         | size <- [(4, 5), (2, 10), (5, 4)]
       ]
         `shouldBe` replicate 3 "Impossible Exhausted"
-    it "dominoes on squares without two opposite corners" $
+    it "dominoes do not fill squares without two opposite corners" $
       [ outcomeOf
           ( Question
               (n, n)
@@ -71,22 +71,22 @@ spec = do
         | n <- [4, 6]
       ]
         `shouldBe` replicate 2 "Impossible Exhausted"
-    it "squares of nine sizes on 32 x 33" $
+    it "squares of nine sizes fill 32 x 33" $
       outcomeOf (Question (32, 33) [] [[rectangle n n] | n <- [18, 15, 14, 10, 9, 8, 7, 4, 1]])
         `shouldBe` "packed"
   describe "objects" $ do
-    it "the paper's two on 15 x 17, as walked with all 228 cells, and from any first vertex" $ do
+    it "the paper's two lie on 15 x 17, with all 228 cells as walked, and from other vertices" $ do
       let paper = concatMap facesOf [Cube, Parallelepiped]
       outcomeOf (Question (15, 17) [] (map (take 1) paper)) `shouldBe` "packed"
       sum [length cells | ((_, cells) : _) <- paper] `shouldBe` 228
       outcomeOf (Question (15, 17) [] paper) `shouldBe` "packed"
-    it "no second cube beside them" $
+    it "no second cube fits beside the paper's two" $
       outcomeOf (Question (15, 17) [] (concatMap facesOf [Cube, Cube, Parallelepiped]))
         `shouldBe` "Impossible (TooFewCells 328 255)"
-    withCases 1 3 . prop "200 boxes on 255 x 257: of their rows 95 % are taken" $
+    withCases 1 3 . prop "200 boxes on 255 x 257 fill 95 % of their rows" $
       forAllBlind (concat <$> vectorOf 200 box) $ \faces ->
         filled (Question (255, 257) [] faces) >= 0.95
-    withCases 1 3 . prop "triangles, L shapes and hexagons beside boxes" $
+    withCases 1 3 . prop "triangles, L shapes and hexagons are packed beside boxes" $
       forAllBlind (concat <$> vectorOf 20 box) $ \faces ->
         let others = concatMap facesOf [Tetrahedron 200, LShape 200 100 200, Prism 6 150 40]
             layings =
@@ -96,11 +96,11 @@ spec = do
          in not (null layings)
               .&&. outcomeOf (Question (144, 65) layings (concat (replicate 4 others)))
                 === "packed"
-    it "thousands of cubes on a sheet of over a million cells: of their rows 99 % are taken" $
+    it "thousands of cubes on over a million cells fill 99 % of their rows" $
       let (size, cubes) = byEffort ((1023, 1025), 1025) ((2047, 2049), 10000)
        in filled (Question size [] (replicate (6 * cubes) [rectangle 4 5]))
             `shouldSatisfy` (>= 0.99)
-    it "on a sheet of more cells than there is memory" $
+    it "objects are packed on a sheet of more cells than there is memory" $
       outcomeOf (Question (1000000007, 1000000009) [] (concatMap facesOf [Cube, Parallelepiped]))
         `shouldBe` "packed"
 
@@ -111,7 +111,8 @@ type Cell = (Int, Int)
 -- | The rows and columns of a block, and cells within it.
 type Shape = (Cell, [Cell])
 
--- | The rows and columns of a sheet; what is taken, and where; pieces by their alternatives.
+-- | The rows and columns of a sheet; the taken cells, by block and place; pieces by their
+-- alternatives.
 data Question = Question Cell [(Shape, Cell)] [[Shape]]
   deriving stock (Eq, Show)
 
@@ -135,7 +136,7 @@ allCells :: Cell -> [Cell]
 allCells (rows, columns) = [(r, c) | r <- [0 .. rows - 1], c <- [0 .. columns - 1]]
 
 -- | Whether these layings are a packing: one of each piece's alternatives, no cell twice, none
--- outside, none that is taken.
+-- outside, none on a taken cell.
 isPacking :: Question -> [Laid] -> Bool
 isPacking question@(Question size@(_, columns) taken pieces) laid =
   length laid == length pieces
@@ -155,13 +156,13 @@ laidBy question = case answered 1 question of
   Packed laid | isPacking question laid -> laid
   _ -> []
 
--- | What the search says; of a packing only that it is one.
+-- | The answer of the search; of a packing only that it is one.
 outcomeOf :: Question -> String
 outcomeOf question = case answered 1 question of
   Packed laid -> if isPacking question laid then "packed" else "packed wrongly: " ++ show laid
   other -> show other
 
--- | The share that is taken of the rows up to the last that is used; of what is no packing, none.
+-- | The filled share of the rows up to the last used one; 0 unless it is a packing.
 filled :: Question -> Double
 filled question@(Question (_, columns) _ _) = case concat (cellsLaid question (laidBy question)) of
   [] -> 0
@@ -169,14 +170,14 @@ filled question@(Question (_, columns) _ _) = case concat (cellsLaid question (l
 
 -- * The definition
 
--- | Whether there is a packing on these free cells: the first piece lies somewhere, and there is
--- one of the others on what is left.
+-- | Whether these free cells have a packing: the first piece lies somewhere, and the others can be
+-- packed on the rest.
 possible :: [Cell] -> [[Shape]] -> Bool
 possible free pieces = case pieces of
   [] -> True
   piece : others -> or [possible (free \\ cells) others | cells <- concatMap (places free) piece]
 
--- | All sets of free cells as which a shape can lie.
+-- | All sets of free cells that a shape can cover.
 places :: [Cell] -> Shape -> [[Cell]]
 places free (_, cells) =
   [ moved
@@ -187,7 +188,7 @@ places free (_, cells) =
   where
     (top, left) = minimum cells
 
--- | Why there is no packing, if there is none.
+-- | The reason for no packing, if there is none.
 expected :: Question -> Maybe Reason
 expected (Question size taken pieces)
   | i : _ <- holding [not (all (inside size) (from at s)) | (s, at) <- taken] =
@@ -222,13 +223,13 @@ asDefined seed =
      in cover 25 (null why) "packed"
           . cover 2 (why == Just Exhausted) "exhausted"
           . cover 0.3 (why `elem` map (Just . NoRoom) [0 .. 4]) "no room"
-          . counterexample (show why ++ ", and it says " ++ show outcome)
+          . counterexample (show why ++ ", and the search says " ++ show outcome)
           $ agrees question why outcome
 
 -- * Laws
 
--- | Upright blocks of h x w, each on R x C, have one of the cells (i h - 1, j w - 1): so there are
--- floor (R / h) floor (C / w) at most, and a grid has so many.
+-- | Upright blocks of h x w on R x C each contain one of the cells (i h - 1, j w - 1). So there are
+-- at most floor (R / h) floor (C / w), and a grid has as many.
 blocksOfAGrid :: Property
 blocksOfAGrid =
   forAll ((,,) <$> size 9 <*> size 5 <*> choose (-1, 1)) $ \((rows, columns), (h, w), more) ->
@@ -239,7 +240,7 @@ blocksOfAGrid =
   where
     size k = (,) <$> choose (1, k) <*> choose (1, k)
 
--- | Of two rows, one with a block that lies already.
+-- | Two rows, one with a block that already lies.
 besideALongBlock :: Property
 besideALongBlock =
   forAll ((,,) <$> choose (1, 300) <*> choose (0, 70) <*> choose (0, 70)) $
@@ -248,8 +249,8 @@ besideALongBlock =
           singles = replicate (2 * columns - long) [rectangle 1 1]
        in outcomeOf (Question (2, columns) [(rectangle 1 long, (0, left))] singles) === "packed"
 
--- | A sheet cut into pieces, some of which lie already and some of which are left out. A quick run
--- has too few for the share that is packed.
+-- | A sheet cut into pieces, some of which already lie and some of which are left out. A quick run
+-- has too few sheets to test the packed share.
 cutUp :: Property
 cutUp =
   forAll cutSheet $ \question ->
@@ -257,7 +258,7 @@ cutUp =
      in byEffort property checkCoverage . cover 90 (said == "packed") "packed" $
           counterexample said (said `elem` ["packed", "NotFound"])
 
--- | Pieces in another order, and their alternatives, lie as the same sets of cells.
+-- | Pieces in another order, and their alternatives, cover the same sets of cells.
 anyOrder :: Property
 anyOrder =
   forAll cutSheet $ \(Question size taken pieces) ->
@@ -270,7 +271,7 @@ anyOrder =
       Impossible _ -> Left "impossible"
       NotFound -> Left "not found"
 
--- * What is drawn
+-- * Random questions
 
 side :: Gen Int
 side = choose (-1, 3)
@@ -286,7 +287,7 @@ shape = do
   count <- choose (1, 6)
   pure (size, take count cells)
 
--- | A small sheet and pieces that were cut out of it, or are drawn; some with an alternative.
+-- | A small sheet with pieces that were cut out of it, or are random; some have an alternative.
 smallQuestion :: Gen Question
 smallQuestion = do
   size <- (,) <$> choose (1, 4) <*> choose (1, 5)
@@ -306,8 +307,8 @@ smallQuestion = do
       shuffle (first : alternative)
     other count = (\(size, cells) -> (size, take count cells)) <$> shape
 
--- | A larger sheet cut into pieces of about eight cells, of which some lie already, and some of
--- the others are left out.
+-- | A larger sheet cut into pieces of about eight cells, of which some already lie, and some of the
+-- others are left out.
 cutSheet :: Gen Question
 cutSheet = do
   size <- (,) <$> choose (2, 10) <*> choose (2, 10)
@@ -317,7 +318,7 @@ cutSheet = do
   pieces <- mapM (fmap (: []) . blocked) (drop (lie + left) parts)
   pure (Question size (map lying (take lie parts)) pieces)
 
--- | What is taken, by its least block.
+-- | The taken cells with their least block.
 lying :: [Cell] -> (Shape, Cell)
 lying cells = ((size, [(r - top, c - left) | (r, c) <- cells]), (top, left))
   where
@@ -325,7 +326,7 @@ lying cells = ((size, [(r - top, c - left) | (r, c) <- cells]), (top, left))
     (top, bottom) = (minimum (map fst cells), maximum (map fst cells))
     (left, right) = (minimum (map snd cells), maximum (map snd cells))
 
--- | The same cells in a block that may be larger.
+-- | The taken cells in a block that may be larger.
 blocked :: [Cell] -> Gen Shape
 blocked cells = do
   ((above, left), (below, right)) <- (,) <$> margins <*> margins
@@ -337,7 +338,7 @@ blocked cells = do
   where
     margins = frequency [(2, pure (0, 0)), (1, (,) <$> choose (0, 2) <*> choose (0, 2))]
 
--- | Cells cut into connected parts of no more than so many.
+-- | Cells cut into connected parts of at most this size.
 cutInto :: Int -> [Cell] -> Gen [[Cell]]
 cutInto most cells = case cells of
   [] -> pure []
@@ -353,7 +354,7 @@ cutInto most cells = case cells of
         beside = [cell | cell <- left, any (neighbours cell) part]
     neighbours (r, c) (r', c') = abs (r - r') + abs (c - c') == 1
 
--- | Fewer pieces, alternatives, things taken, cells; a smaller sheet.
+-- | Fewer pieces, alternatives, taken cells or cells; a smaller sheet.
 shrunk :: Question -> [Question]
 shrunk (Question (rows, columns) taken pieces) =
   [Question (rows - 1, columns) taken pieces | rows > 1]
@@ -367,7 +368,7 @@ shrunk (Question (rows, columns) taken pieces) =
 rectangle :: Int -> Int -> Shape
 rectangle h w = ((h, w), allCells (h, w))
 
--- | The connected pieces of up to three cells, as they are turned and mirrored.
+-- | The connected pieces of up to three cells, in every rotation and mirror image.
 polyominoes :: [Shape]
 polyominoes =
   rectangle 1 1 :
@@ -392,7 +393,7 @@ turnedAndMirrored cells =
     turns = take 4 . iterate (map (\(r, c) -> (c, negate r)))
     mirror (r, c) = (r, negate c)
 
--- | I, O, T, S and L, each one of its forms.
+-- | I, O, T, S and L, each in one of its forms.
 tetrominoes :: [[Cell]]
 tetrominoes =
   map
@@ -404,7 +405,7 @@ tetrominoes =
       ["###", "#.."]
     ]
 
--- | F, I, L, N, P, T, U, V, W, X, Y and Z, each one of its forms.
+-- | F, I, L, N, P, T, U, V, W, X, Y and Z, each in one of its forms.
 pentominoes :: [[Cell]]
 pentominoes =
   map

@@ -1,5 +1,5 @@
--- | Regions of the plane as triangles: each triangle, each side and each point by what they are to
--- be.
+-- | Tests regions of the plane cut into triangles: properties of each triangle, each side and each
+-- point.
 module Test.Solid.RegionsTriangulated (spec) where
 
 import Data.List (mapAccumL, nub, sort)
@@ -14,7 +14,7 @@ import Test.QuickCheck
 
 spec :: Spec
 spec = do
-  prop "every triangle turns left, and there are n - 2 o + 2 h" $
+  prop "every triangle turns left, and there are n - 2 o + 2 h of them" $
     forAll genRegion $ \whole@(Region _ loops) ->
       let found = cut whole
        in conjoin
@@ -22,14 +22,14 @@ spec = do
               length found
                 === length (concat loops) - 2 * outer whole + 2 * (length loops - outer whole)
             ]
-  prop "every side is a loop's, or one of two triangles that walk it in opposite directions" $
+  prop "every side is a loop's, or two triangles walk it in opposite directions" $
     forAll genRegion $ \whole@(Region _ loops) ->
       let sides = [side | (a, b, c) <- cut whole, side <- [(a, b), (b, c), (c, a)]]
           border = [normal side | loop <- loops, side <- cyclicPairs loop]
           normal (a, b) = (min a b, max a b)
           alone = [normal (a, b) | (a, b) <- sides, (b, a) `notElem` sides]
        in conjoin [sides === nub sides, sort alone === sort border]
-  prop "a point is in one triangle if it is in the region, and else in none" $
+  prop "a point of the region is in one triangle, and any other point in none" $
     forAll genRegion $ \whole@(Region points loops) ->
       forAll ((,) <$> choose (-10, 810) <*> choose (-10, 810)) $ \(x, y) ->
         -- Twice as fine as corners are, so that it is on no side of a lattice.
@@ -71,7 +71,7 @@ cut (Region points loops) = triangulation (Metric 1 1) points loops
 turnOf :: Region -> (Int, Int, Int) -> Integer
 turnOf (Region points _) (a, b, c) = turn (points V.! a) (points V.! b) (points V.! c)
 
--- | How many loops have an even number of others round them.
+-- | The number of loops with an even number of others round them.
 outer :: Region -> Int
 outer (Region points loops) =
   length
@@ -83,8 +83,8 @@ outer (Region points loops) =
     holdsCorner loop corner =
       standing (V.fromList (map (points V.!) loop)) (points V.! corner) == Inside
 
--- | The centre of the circle round three points that turn left is nearer to them than to the fourth
--- one, told by the lengths themselves.
+-- | Whether the centre of the circle round three points that turn left is nearer to them than to
+-- the fourth, by the lengths themselves.
 inside :: V2 -> V2 -> V2 -> V2 -> Bool
 inside (V2 ax ay) (V2 bx by) (V2 cx cy) (V2 dx dy) = far dx dy < far ax ay
   where
@@ -96,8 +96,8 @@ inside (V2 ax ay) (V2 bx by) (V2 cx cy) (V2 dx dy) = far dx dy < far ax ay
     far x y = (q x - x0) * (q x - x0) + (q y - y0) * (q y - y0)
     q = fromInteger :: Integer -> Rational
 
--- | A square, or a polygon that bulges everywhere, with pieces in some squares of a lattice: none,
--- a square, a corner, a ring, a ring with a piece in its hole; walked either way.
+-- | A square, or a convex polygon, with pieces in some squares of a lattice: none, a square, a
+-- corner, a ring, or a ring with a piece in its hole; walked either way.
 genRegion :: Gen Region
 genRegion = do
   rim <- elements [square (-1) 801, bulging]

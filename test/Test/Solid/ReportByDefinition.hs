@@ -1,7 +1,7 @@
 {-# LANGUAGE OverloadedStrings #-}
 
--- | What the library says of polyhedra that the law of defects draws none of, beside what defects
--- mean: plates with holes, polygons that cross themselves, and very large ones.
+-- | Tests reports on polyhedra against the meaning of defects, where the law of defects draws none:
+-- plates with holes, polygons that cross themselves, and very large ones.
 module Test.Solid.ReportByDefinition (spec) where
 
 import Data.Aeson (Value (..), toJSON)
@@ -24,12 +24,12 @@ import Test.QuickCheck
 import Test.Solid.Drilled
 
 spec :: Spec
-spec = describe "the report on a polyhedron, beside the definition" $ do
+spec = describe "the report on a polyhedron" $ do
   withCases 2 50 $ do
     for_ [minBound .. maxBound] $ \kind ->
-      it ("says all and no more of plates with holes with something wrong: " ++ kindName kind) $
+      it ("is complete and exact for plates with holes and a defect: " ++ kindName kind) $
         forAllBlind (plates >>= spoilt kind) judged
-    it "blames no plate with holes, and as many are its handles" $
+    it "finds no defect in a plate with holes, and one handle for each hole" $
       forAllBlind drilled $ \plate ->
         forAllBlind (affine >>= \way -> shuffledFaces (moved way (plateOf plate))) $ \it_ ->
           counterexample (show it_) $
@@ -37,10 +37,10 @@ spec = describe "the report on a polyhedron, beside the definition" $ do
               === ([], [Just (length (holes plate))])
               .&&. judged it_
   withCases 36 600 $ do
-    it "says all and no more of polygons that may cross themselves" $ forAllBlind polygons judged
-    it "says all and no more of polygons with holes that may do so, be turned or lie elsewhere" $
+    it "is complete and exact for polygons that may cross themselves" $ forAllBlind polygons judged
+    it "is complete and exact for such polygons with holes, also turned or misplaced" $
       forAllBlind bridgedPolygons judged
-  it "finds no two sides that meet on a star of many spikes, and those of a part turned" $ do
+  it "finds no two sides that meet on a star of many spikes, but those of a reversed part" $ do
     let count = byEffort 1000 10000
         kinds = [FaceCrossesItself, VertexOnEdge]
         found = filter ((`elem` kinds) . defectKind) . reportDefects . said . polygon
@@ -48,18 +48,18 @@ spec = describe "the report on a polyhedron, beside the definition" $ do
     found (spikes ++ end) `shouldBe` []
     map defectVertices (found (spikes ++ reverse end))
       `shouldBe` [[VertexName (show (2 * count - k)) | k <- [11, 10, 9, 8]]]
-  it "looks for so many pairs of faces that intersect, and says that there may be more" $ do
+  it "finds pairs of intersecting faces up to a limit, and says that there may be more" $ do
     let report = examineUpTo 100 1000 (fromDescription (bundle 20))
     length (filter ((== FacesIntersect) . defectKind) (reportDefects report)) `shouldBe` 100
     filter ((== FacesIntersect) . unexaminedKind) (reportNotExamined report)
       `shouldBe` [Unexamined FacesIntersect [FacesIntersect]]
-  it "compares so many pairs of faces, and takes none for a solid of which there are more" $ do
+  it "compares pairs of faces up to a limit, and certifies no solid with more pairs" $ do
     let four = fromDescription (namedDescription (Tetrahedron 2))
         told most = let it_ = examineUpTo 100 most four in (reportValid it_, reportDefects it_)
     map told [5, 6] `shouldBe` [(False, []), (True, [])]
     reportNotExamined (examineUpTo 100 5 four)
       `shouldBe` [Unexamined FacesIntersect [FacesIntersect]]
-  it "1000 defects of a kind are listed, or as many as name 100 000 vertices; all are counted" $ do
+  it "lists 1000 defects of a kind, or as many as name 100 000 vertices; all are counted" $ do
     let Description name points faces = namedDescription (Tetrahedron 2)
         numbered what most = [VertexName (what ++ show k) | k <- [1 .. most :: Int]]
         idle most = Description name (points ++ zip (numbered "idle" most) places) faces
@@ -77,7 +77,7 @@ spec = describe "the report on a polyhedron, beside the definition" $ do
         told ["counts", kind] `shouldBe` Just (toJSON all')
         [length listed | Just (Array listed) <- [told ["defects"]]] `shouldBe` [wanted]
 
--- | A polygon with these corners in a plane that leans.
+-- | A polygon with these corners in an oblique plane.
 polygon :: [(Integer, Integer)] -> Description
 polygon corners =
   Description
@@ -89,7 +89,7 @@ polygon corners =
   where
     name k = VertexName (show (k :: Int))
 
--- | A polygon with so many spikes.
+-- | A polygon with this many spikes.
 star :: Int -> [(Integer, Integer)]
 star spikes =
   [ (round (r * cos t), round (r * sin t))
@@ -98,8 +98,8 @@ star spikes =
           t = pi * fromIntegral k / fromIntegral spikes
   ]
 
--- | Polygons of few places, which cross themselves soon; and stars, of which two corners may have
--- changed places, or one lie where another side does.
+-- | Polygons of few places, which often cross themselves; and stars with perhaps two corners
+-- exchanged, or one where another side is.
 polygons :: Gen Description
 polygons =
   polygon
@@ -122,7 +122,7 @@ polygons =
         ]
       where
         count = length corners
-        -- Ends of a side along which another one lies.
+        -- The ends of a side along which another one lies.
         beyond a b =
           let ((x, y), (x', y')) = (corners !! a, corners !! b)
            in (2 * x' - x, 2 * y' - y)
@@ -132,8 +132,8 @@ polygons =
         exchanged i j = put' i (corners !! j) (put j (corners !! i))
         between (x, y) (x', y') = ((x + x') `div` 2, (y + y') `div` 2)
 
--- | Polygons of few places with one or two holes, each entered along a bridge from where one was:
--- few are what such a walk should be.
+-- | Polygons of few places with one or two holes, each entered along a bridge. Few of them are
+-- valid walks.
 bridgedPolygons :: Gen Description
 bridgedPolygons = do
   rim <- oneof [pure [(0, 0), (9, 0), (9, 9), (0, 9)], corners 9]
@@ -165,7 +165,7 @@ bridgedPolygons = do
           describedFaces = [FaceName [VertexName (show v) | v <- walk]]
         }
 
--- | So many triangles, each of which cuts every other one in a part of the z axis.
+-- | This many triangles, each of which cuts every other in a part of the z axis.
 bundle :: Int -> Description
 bundle count =
   Description
@@ -184,7 +184,7 @@ bundle count =
 said :: Description -> Report
 said = examine . fromDescription
 
--- | Whether the library says what the definition says.
+-- | Whether the library's report equals the definition's.
 judged :: Description -> Property
 judged drawn =
   counterexample (show drawn) $

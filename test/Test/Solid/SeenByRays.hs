@@ -1,5 +1,5 @@
--- | Pictures of solids, beside what light does: along the ray from each point of a picture to the
--- eye it is asked which face comes first.
+-- | Tests pictures of solids against rays of light: the ray from each point of a picture to the eye
+-- shows which face comes first.
 module Test.Solid.SeenByRays (spec) where
 
 import Data.List (sortOn)
@@ -17,7 +17,7 @@ import Test.Solid.Drilled
 
 spec :: Spec
 spec = do
-  withCases 80 300 . prop "what is painted last is what the eye meets first" $
+  withCases 80 300 . prop "the face painted last is the first that the ray from the eye meets" $
     forAll drawn $ \(it_, azimuth, elevation, away) ->
       let view = viewFrom azimuth elevation away
           looking = camera view it_
@@ -31,12 +31,12 @@ spec = do
                     ]
                 met = facesAlong it_ view looking at
              in classify (length met > 2) "something hidden" $
-                  -- Where two faces are as near, or a rim is, no one can tell.
+                  -- Where two faces are equally near, or at a rim, the test cannot decide.
                   counterexample (show met) $
                     case met of
                       (near, _) : (next, _) : _ | abs (near - next) < 1e-3 -> property True
                       _ -> painted === fmap snd (listToMaybe met)
-  withCases 60 300 . prop "a vertex is named if nothing lies between it and the eye" $
+  withCases 60 300 . prop "a vertex is named exactly if nothing lies between it and the eye" $
     forAll drawn $ \(it_, azimuth, elevation, away) ->
       let view = viewFrom azimuth elevation away
           names = map seenName (seenVertices (camera view it_))
@@ -45,7 +45,7 @@ spec = do
               | (v, p) <- solidVertices it_,
                 Just free <- [unhidden it_ view p]
             ]
-  withCases 40 100 . prop "turned with the eye, a solid looks the same" $
+  withCases 40 100 . prop "a solid that is turned with the eye looks the same" $
     forAll solids $ \it_ ->
       forAll (elements [0, 90, 180, 270]) $ \quarter ->
         forAll ((,) <$> choose (0, 90) <*> choose (-80, 80)) $ \(azimuth, elevation) ->
@@ -62,7 +62,7 @@ spec = do
                             (concat (sizes (seen (azimuth + quarter) turned))),
                         let ((x, y), (x', y')) = (p, q)
                     ]
-  it "from straight in front, right and above one face of a cube is seen, and its four vertices" $
+  it "from in front, the right or above, one face of a cube is seen, and its four vertices" $
     [ (length (patches looking), map (vertexText . seenName) (seenVertices looking))
       | (azimuth, elevation) <- [(0, 0), (90, 0), (0, 90)],
         let looking = camera (viewFrom azimuth elevation Nothing) (whole (namedDescription Cube))
@@ -91,7 +91,7 @@ spec = do
           sum (zipWith (\k (_, y) -> k * y) weights corners) / all'
         )
 
--- | About the vertical, counter-clockwise seen from above, by quarter turns in degrees.
+-- | A turn about the vertical, counter-clockwise seen from above, by quarter turns in degrees.
 turnedBy :: Double -> Point -> Point
 turnedBy quarter at@(Point x y z)
   | quarter >= 90 = turnedBy (quarter - 90) (Point (negate y) x z)
@@ -102,8 +102,8 @@ whole = either (error . show) id . solid
 
 type Space = (Double, Double, Double)
 
--- | The faces that the ray through a point of the picture meets, the nearest to the eye first: how
--- far they are, and which.
+-- | The faces that the ray through a point of the picture meets, the nearest to the eye first, with
+-- their distances.
 facesAlong :: Solid -> View -> Camera -> (Double, Double) -> [(Double, Int)]
 facesAlong it_ view looking (x, y) =
   sortOn
@@ -116,9 +116,8 @@ facesAlong it_ view looking (x, y) =
         Just distance <- [depth corners]
     ]
   where
-    -- How far towards the eye the plane of the face is at this point: by the corners of three of
-    -- its points whose pictures are a triangle, weighted (in perspective the inverse distances
-    -- are).
+    -- The height of the face's plane towards the eye at this point, from three corners whose
+    -- pictures form a triangle, weighted (in perspective the inverse distances are).
     depth corners = case sortOn (abs . drawn) triples of
       [] -> Nothing
       sorted ->
@@ -143,8 +142,8 @@ facesAlong it_ view looking (x, y) =
     twice corners = sum [u * v' - u' * v | ((u, v), (u', v')) <- cyclicPairs corners]
     (away, deep) = eyeOf it_ view
 
--- | How far the eye is from the middle of the solid, and how much nearer to it than the middle a
--- point is.
+-- | The distance of the eye from the middle of the solid, and how much nearer to it than the middle
+-- a point is.
 eyeOf :: Solid -> View -> (Double, Space -> Double)
 eyeOf it_ view = (maybe 0 ((* size) . fromRational) (viewAway view) * long, deep)
   where
@@ -160,7 +159,7 @@ towardsEye :: View -> Space
 towardsEye view =
   let (a, b, c) = viewTowards view in (fromRational a, fromRational b, fromRational c)
 
--- | Whether no face lies between a point and the eye; nothing where that hangs on a rim.
+-- | Whether no face lies between a point and the eye; 'Nothing' if that depends on a rim.
 unhidden :: Solid -> View -> Point -> Maybe Bool
 unhidden it_ view at
   | any (\(_, sure) -> not sure) found = Nothing
@@ -179,7 +178,7 @@ unhidden it_ view at
               (rx, ry, rz) = ray
               hit = (px + t * rx, py + t * ry, pz + t * rz)
               (inside, margin) = withinFace n corners hit
-              -- Faces that have the vertex hide it where they turn away: then it is behind them.
+              -- Faces at the vertex hide it where they turn away: then it is behind them.
               touching = at `elem` cornerPoints it_ face
       ]
         ++ [(not seesFace, True)]
@@ -203,7 +202,7 @@ unhidden it_ view at
             at `elem` corners
         ]
 
--- | Whether a point of a face's plane is in the face, and how far from its rim.
+-- | Whether a point of a face's plane is in the face, and its distance from the rim.
 withinFace :: Space -> [Space] -> Space -> (Bool, Double)
 withinFace n corners p =
   ( holds (map flat corners) (flat p),

@@ -1,5 +1,5 @@
--- | Sums of roots: what they are worth, that they are 0 only where all terms are, their sign, what
--- they are rounded to, and the largest product that is made.
+-- | Tests sums of roots: their values, that they are 0 only if all terms are, their signs, their
+-- rounding, and the largest product that is computed.
 module Test.Solid.SumsOfRoots (spec) where
 
 import Data.List (foldl')
@@ -14,7 +14,7 @@ import Test.QuickCheck
 
 spec :: Spec
 spec = do
-  prop "sums and products are worth as much as what they are made of" $
+  prop "sums and products have the value of the sum and product of their operands' values" $
     forAll ((,) <$> sums <*> sums) $ \(a, b) ->
       conjoin
         [ worth (made a `op` made b) `near` (worth (made a) `by` worth (made b))
@@ -24,11 +24,11 @@ spec = do
     forAll ((,) <$> sums <*> sums) $ \drawn ->
       let (a, b) = (made (fst drawn), made (snd drawn))
        in (plus a b `product'` minus a b) === (product' a a `minus` product' b b)
-  prop "of any numbers the product of the roots is the root of the product" $
+  prop "the product of the roots of any numbers is the root of their product" $
     forAll ((,) <$> choose (1, 5000) <*> choose (1, 5000)) $ \(m, n) ->
       let root = rootIn (coprimeBase [m, n])
        in product' (root m) (root n) === root (m * n)
-  prop "numbers with roots have the sign of what they are to hundreds of digits, and round so" $
+  prop "a sum of roots has the sign and the rounding of its value to hundreds of digits" $
     forAll ((,) <$> choose (1, 400) <*> choose (1, 400)) $ \(a, c) ->
       forAll (vectorOf 4 genFraction) $ \parts -> case parts of
         [p, q, r, s] ->
@@ -44,7 +44,7 @@ spec = do
                   maybe True (\exact -> abs (exact - value) < tiny) (asFraction number) === True
                 ]
         _ -> property False
-  it "a product is made of 4096 pairs of terms at most" $ do
+  it "a product of more than 4096 pairs of terms is not computed" $ do
     let of' count = Just (summed (map (rootIn (coprimeBase few)) few))
           where
             few = take count squarefree
@@ -54,7 +54,7 @@ spec = do
   where
     base' = coprimeBase [2, 3, 5, 7, 30]
     tiny = 1 / 10 ^ (300 :: Int)
-    -- Signs are told in another way where there are more than two roots.
+    -- Signs are computed in another way for more than two roots.
     genFraction = frequency [(1, pure 0), (2, (%) <$> choose (-999, 999) <*> choose (1, 99))]
     sums = listOf1 ((,) <$> (fromInteger <$> choose (-9, 9)) <*> choose (1, 210) `suchThat` smooth)
     smooth n = foldl' (\m p -> until ((/= 0) . (`mod` p)) (`div` p) m) n [2, 3, 5, 7] == 1
@@ -63,7 +63,7 @@ spec = do
     squarefree = filter (\n -> all ((/= 0) . mod n . (^ (2 :: Int))) [2 .. isqrt n]) [1 ..]
     isqrt = floor . sqrt . (fromIntegral :: Integer -> Double)
 
--- | As a floating number.
+-- | The value as a floating number.
 worth :: Radicals -> Double
 worth given = sum [fromRational q * sqrt (fromInteger under) | (q, under) <- terms given]
 

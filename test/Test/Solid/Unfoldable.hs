@@ -11,11 +11,11 @@ import PraTactile.Object.Description
 import PraTactile.Object.Named
 import Test.QuickCheck
 
--- | A convex solid of which 2 of 16 unfoldings overlap.
+-- | A convex solid of whose 16 unfoldings 2 overlap.
 overlapping :: Description
 overlapping = fourCorners [(17, 2, 1), (10, 9, 0), (9, 15, 0), (2, 20, 0)]
 
--- | A tetrahedron with these corners, the outside of its faces outside.
+-- | A tetrahedron with these corners, whose faces look outward.
 fourCorners :: [(Rational, Rational, Rational)] -> Description
 fourCorners corners = case corners of
   [a, b, c, d] ->
@@ -38,7 +38,7 @@ determinant (a, b, c) (d, e, f) (g, h, i) =
 
 type Vector3 = (Rational, Rational, Rational)
 
--- | Turned about the x axis and then about the z axis, given the tangents of half the angles.
+-- | A rotation about the x axis and then the z axis, given the tangents of half the angles.
 turnedBy :: Rational -> Rational -> Point -> Point
 turnedBy p q (Point x y z) = Point (c * x - s * v) (s * x + c * v) w
   where
@@ -74,7 +74,7 @@ unfoldable = do
     tetrahedron =
       (fourCorners <$> vectorOf 4 ((,,) <$> coordinate <*> coordinate <*> coordinate))
         `suchThat` thick
-    -- Every three corners span a plane through the origin's side of which the fourth is not.
+    -- The plane through any three corners has the origin on one side and the fourth on the other.
     thick it = case [(x, y, z) | (_, Point x y z) <- describedVertices it] of
       [(a, b, c), (d, e, f), (g, h, i), (j, k, l)] ->
         determinant (d - a, e - b, f - c) (g - a, h - b, i - c) (j - a, k - b, l - c) /= 0
@@ -92,7 +92,7 @@ unfoldable = do
     tetrahedronOf planes =
       fourCorners
         <$> traverse common [[q | (j, q) <- zip [0 :: Int ..] planes, j /= i] | i <- [0 .. 3]]
-    -- The point that three planes have in common, by Cramer's rule.
+    -- The common point of three planes, by Cramer's rule.
     common planes = case planes of
       [([a, b, c], p), ([d, e, f], q), ([g, h, i], r)]
         | whole /= 0 ->
@@ -119,7 +119,7 @@ unfoldable = do
           ( FaceName ["D", "C", "B", "A"] :
               [FaceName [v, w, "E"] | (v, w) <- cyclicPairs ["A", "B", "C", "D"]]
           )
-    -- A tetrahedron with a dent of three faces where its base was.
+    -- A tetrahedron with a dent of three faces in place of its base.
     dented = do
       (a, h) <- (,) <$> size <*> size
       k <- elements [1 / 4, 1 / 2, 3 / 4]

@@ -1,6 +1,6 @@
--- | All ways to unfold a solid along its edges, one by one: every set of edges that joins all faces
--- and has no cycle is tried, every face laid into the plane, every two of them compared. The
--- library is held to that.
+-- | The definition of unfolding a solid along its edges, with which the library is compared. Every
+-- set of edges that joins all faces without a cycle is tried, every face laid into the plane, and
+-- every two of them compared.
 --
 -- A face lies beside its neighbour as if it had been turned about their edge. Where that edge runs
 -- from a to b, at A and B in the plane, and n' is the face's normal, its corner w comes to
@@ -28,7 +28,7 @@ import Test.Solid.Unfoldable
 
 spec :: Spec
 spec =
-  withCases 40 200 . prop "nets do not overlap; one is found, unless there is none" $
+  withCases 40 200 . prop "nets do not overlap, and one is found if there is one" $
     forAll (unfoldable `suchThatMap` ofFew) $ \(it_, whole) ->
       let found = unfoldingsOf it_
           folded tree = sort [between a b | EdgeName a b <- foldedEdges whole tree]
@@ -66,7 +66,7 @@ unfoldingsOf it_ =
 data Edge = Edge Int Int (VertexName, VertexName)
   deriving stock (Eq)
 
--- | All sets of edges that join so many faces without a cycle: each edge is taken or left.
+-- | All sets of edges that join this many faces without a cycle: each edge is taken or left.
 treesOf :: Int -> [Edge] -> [[Edge]]
 treesOf count = go [[f] | f <- [0 .. count - 1]]
   where
@@ -84,10 +84,10 @@ treesOf count = go [[f] | f <- [0 .. count - 1]]
 data Body = Body
   { -- | each by its corners
     bodyFaces :: [[(VertexName, P)]],
-    -- | of each face the shortest whole vector outward
+    -- | the shortest whole outward vector of each face
     bodyNormals :: [P],
     bodyEdges :: [Edge],
-    -- | the numbers whose roots there are, the last one first; 1 is not among them
+    -- | the numbers under the roots, the last one first, without 1
     bodyRoots :: [Integer]
   }
 
@@ -145,7 +145,7 @@ product' roots (x, y) (u, v) =
 conjugate :: Planar -> Planar
 conjugate (x, y) = (x, map negate y)
 
--- | Where all faces lie, the first one first.
+-- | The places of all faces, the first one first.
 placed :: Body -> [Edge] -> [Laid]
 placed body tree = go [hinged body 0 base] tree
   where
@@ -166,8 +166,7 @@ placed body tree = go [hinged body 0 base] tree
       where
         at v = fromMaybe (zero, zero) (lookup v corners)
 
--- | A face that has an edge where its ends are: a denominator, both of them, and their places in
--- space.
+-- | A face whose edge has known ends: a denominator, both ends in the plane, and both in space.
 hinged :: Body -> Int -> (Integer, Planar, Planar, [(VertexName, P)]) -> Laid
 hinged body g (over, from, to, ends) =
   lowest [(v, corner (snd <$> take 1 ends) p) | (v, p) <- bodyFaces body !! g]
@@ -198,8 +197,8 @@ hinged body g (over, from, to, ends) =
         common = foldr gcd total (concat [x ++ y | (_, (x, y)) <- corners])
         part = map (`div` common)
 
--- | Whether two faces have an inner point in common: whether a triangle of the one and one of the
--- other have, so that no side of either has all of the other on its outer side.
+-- | Whether two faces have a common inner point: whether a triangle of one and a triangle of the
+-- other have one, so that no side of either has all of the other on its outer side.
 overlap :: Body -> Laid -> Laid -> Bool
 overlap body one other = or [common a b | a <- cut one, b <- cut other]
   where

@@ -1,6 +1,6 @@
 {-# LANGUAGE OverloadedStrings #-}
 
--- | What a store answers, and what it refuses, whatever database it is in.
+-- | Tests what a store answers and refuses, in any database.
 module Test.Store.Answers (spec) where
 
 import Data.Bifunctor (first)
@@ -23,7 +23,7 @@ import Test.Store.Homes
 spec :: SpecWith Home
 spec = do
   describe "answers as the placement" $ do
-    it "windows of 2 x 2, and those of other shapes, are where the placement says" $
+    it "for windows of 2 x 2, and of other shapes" $
       withCanonical $ \place _ path ->
         asked path $ \store -> do
           -- On faces, across them, and on no object.
@@ -38,14 +38,14 @@ spec = do
             $ \(window, positions) ->
               for_ positions $ \at ->
                 storedWhereabouts store window at `shouldReturn` Right (whereabouts place window at)
-    it "positions and windows of any size are answered, as on the torus" $
+    it "for positions and windows of any size, as on the torus" $
       withCanonical $ \place _ path ->
         asked path $ \store -> do
           let huge = 10 ^ (30 :: Int)
           let far = Position (15 * huge + 6) (17 * huge + 5)
           for_ [(canonicalWindow, far), (Shape huge huge, Position 3 4)] $ \(window, at) ->
             storedWhereabouts store window at `shouldReturn` Right (whereabouts place window at)
-    it "the cells of every face are where the placement says, and so are those that there are not" $
+    it "for the cells of every face, and for cells that do not exist" $
       withCanonical $ \place _ path ->
         asked path $ \store ->
           for_ blocks $ \block -> do
@@ -54,13 +54,13 @@ spec = do
                     Position 0 (blockColumns block),
                     Position 0 (10 ^ (30 :: Int))
                   ]
-            -- In a quick run the first cell of a face and the last.
+            -- A quick run takes the first and the last cell of a face.
             let within = map snd (blockCells block)
                 cells = byEffort (take 1 within ++ take 1 (reverse within)) within
             for_ (cells ++ beyond) $ \cell ->
               storedPosition store (blockFace block) cell
                 `shouldReturn` first NotInStore (arrayPosition place (blockFace block) cell)
-    it "faces are found, and refused, as in the placement" $
+    it "for faces that it finds, and for those that it refuses" $
       withCanonical $ \place _ path ->
         asked path $ \store ->
           for_
@@ -75,7 +75,7 @@ spec = do
                   cell = Position 1 1
               storedPosition store named cell
                 `shouldReturn` first NotInStore (arrayPosition place named cell)
-    it "a face that is not laid is refused as in the placement" $
+    it "for a face that is not laid" $
       \home -> theCube $ \solid_ ->
         right
           (placement (Shape 15 17) canonicalPitch [solid_] (take 1 canonicalLayings))
@@ -89,19 +89,19 @@ spec = do
               for_ everyPosition $ \at ->
                 storedWhereabouts store canonicalWindow at
                   `shouldReturn` Right (whereabouts place canonicalWindow at)
-    it "the placement and the profile come back" $
+    it "the placement and the profile are read back" $
       withCanonical $ \place _ path ->
         asked path $ \store -> do
           storedPlacement store `shouldReturn` Right place
           storedProfile store `shouldBe` profileText
-    it "the seal of every row is the one that another program finds" $ \home ->
+    it "the seal of every row is the one that another program computes" $ \home ->
       thePlacement $ \place -> do
         path <- newName home
         create path "a \"quoted\" profile, \955" place `shouldReturn` Right ()
         sealsFound home path >>= \found -> case found of
           Nothing -> pendingWith "python3 is not installed here, so it found no seals"
           Just (rows_, same) -> (rows_, same) `shouldSatisfy` (\(n, m) -> n == m && n > 100)
-    it "numbers are stored up to 64 bits; what cannot be leaves the file as it was" $
+    it "numbers are stored up to 64 bits; a larger one leaves the file as it was" $
       withCanonical $ \place _ path -> do
         let stored high = do
               tall <- either (fail . show) pure (placement (Shape high 17) canonicalPitch [] [])
@@ -129,29 +129,29 @@ spec = do
           `shouldReturn` Left (ForeignProfile profileText "another")
     it "a table that is missing" $
       tampered "DROP TABLE edge" $ \path outcome -> outcome `shouldBe` Left (TablesDiffer path)
-    it "a column that there is besides" $
+    it "a table with a further column" $
       tampered "ALTER TABLE edge ADD COLUMN length_um INTEGER NOT NULL DEFAULT 7" $ \path outcome ->
         outcome `shouldBe` Left (TablesDiffer path)
-    it "a column that is missing" $
+    it "a table without one of its columns" $
       tampered "ALTER TABLE edge RENAME COLUMN left_face TO left_side" $ \path outcome ->
         outcome `shouldBe` Left (TablesDiffer path)
-  describe "answers as it did or refuses, and a check tells," $ do
-    it "any cell of any table changed, in number, word or type" $ \home ->
+  describe "gives the former answer or refuses, and fails the check, after" $ do
+    it "any cell of any table was changed in number, word or type" $ \home ->
       ofDrawn 1 (vectorOf 20 (choose (0, 10000))) $ \picked ->
         flip withCanonical home $ \place _ path -> do
           changes <- concat <$> traverse (changesOf home path) tableNames
           length changes `shouldSatisfy` (> 100)
           let some = [changes !! (i `mod` length changes) | i <- picked]
           for_ (byEffort (take (cases home 12) some) changes) (toldOf place home path)
-    it "any row of any table gone" $
+    it "any row of any table was deleted" $
       withCanonical $ \place home path -> do
-        -- In a quick run on a server, where each copy takes long, every fourth table.
+        -- On a server each copy takes long, so a quick run takes every fourth table there.
         let apart = byEffort (length tableNames `div` max 1 (cases home (length tableNames))) 1
         for_ [table | (i, table) <- zip [0 ..] tableNames, i `mod` apart == 0] $ \table -> do
           some <- someRows home path table
           for_ (take (byEffort (max 1 (cases home 3)) 3) some) $ \at ->
             toldOf place home path (Text.unwords ["DELETE FROM", table, "WHERE", at])
-    it "the first of faces gone, each of them its object's only one that is laid" $ \home ->
+    it "the first laid face was deleted, where each object has only one" $ \home ->
       thePlacement $ \place -> do
         let bodies = placementSolids place
             firstOf body =
@@ -166,7 +166,7 @@ spec = do
         found <- withStore path Nothing (\store -> storedFirst store 1 (Shape 0 0))
         for_ (found >>= id) $ \some ->
           take 1 (laidFaces some) `shouldBe` take 1 (laidFaces few)
-    it "rows that are sealed, and say something else" $ \home ->
+    it "rows were changed to contradict the others and sealed again" $ \home ->
       ofDrawn 1 (shuffle contradictions) $ \drawn -> flip withCanonical home $ \_ _ path ->
         for_ (byEffort (take (max 2 (cases home 3)) drawn) drawn) $ \(statements, expected) -> do
           changed <- copied home path
@@ -174,23 +174,23 @@ spec = do
           sealAgain home changed
           (,) statements <$> checking changed `shouldReturn` (statements, Left expected)
 
-  describe "has keys" $
+  describe "has keys that refuse" $
     for_ duplicates $ \(table, columns_) ->
-      it ("no row of " ++ Text.unpack table ++ " twice") $
+      it ("a second row of " ++ Text.unpack table ++ " with the same key") $
         withCanonical $ \_ home path -> do
           let listed = Text.intercalate ", " columns_
               doubling =
                 ["INSERT INTO", table, "(", listed, ") SELECT", listed, "FROM", table, "LIMIT 1"]
           executed home path [Text.unwords doubling] `shouldReturn` Left ByConstraint
 
--- What a change comes to: where the database takes it, the check refuses, and every
--- look-up refuses or answers as before.
+-- Where the database accepts a change, the check refuses, and every look-up refuses or answers as
+-- before.
 toldOf :: Placement -> Home -> String -> Text -> Expectation
 toldOf place home path change_ = do
   changed <- copied home path
   applied <- executed home changed [change_]
   case applied of
-    -- What a key or a column does not take is not there.
+    -- A key or a column refused the change.
     Left why -> (change_, why) `shouldSatisfy` (`elem` [ByConstraint, ByType]) . snd
     Right () -> do
       check <- checking changed

@@ -1,4 +1,4 @@
--- | Stores asked in tests, wherever they are.
+-- | Asks stores in tests, wherever they are.
 module Test.Store.Asking
   ( profileText,
     opening,
@@ -18,27 +18,27 @@ import Test.Effort
 import Test.Hspec
 import Test.Recognition.Object.Support (everyPosition)
 
--- | What the profile's text may be.
+-- A text that a profile may have.
 profileText :: String
 profileText = "any text, \"quoted\"; with ' and \955\n"
 
--- | Positions of the canonical array, in a full run all; otherwise some in every row and column.
+-- | Positions of the canonical array: all in a full run, otherwise some in every row and column.
 somePositions :: [Position]
 somePositions = [at | (i, at) <- zip [0 :: Int ..] everyPosition, i `mod` byEffort 11 1 == 0]
 
--- | Whether it opens.
+-- | Whether the store opens.
 opening :: String -> IO (Either StoreError ())
 opening path = withStore path Nothing (const (pure ()))
 
--- | All of it is read.
+-- | Reads all of the store.
 checking :: String -> IO (Either StoreError ())
 checking path = (>>= void) <$> withStore path Nothing storedPlacement
 
--- | It opens, and that holds of it.
+-- | Expects that the store opens, and that this holds of it.
 asked :: String -> (Store -> Expectation) -> Expectation
 asked path action = withStore path Nothing action >>= either (expectationFailure . show) pure
 
--- | What is said is said in this program's own words.
+-- | Expects that a message is in this program's own words.
 plain :: StoreError -> Expectation
 plain fault = do
   let said = storeMessage fault

@@ -1,6 +1,6 @@
 {-# LANGUAGE OverloadedStrings #-}
 
--- | Stores that are changed, and what a look-up costs.
+-- | Tests changes of stores, and the cost of a look-up.
 module Test.Store.Changes (spec, inFiles) where
 
 import Control.Concurrent (forkIO)
@@ -41,12 +41,12 @@ import Test.Store.Homes
 
 spec :: SpecWith Home
 spec = describe "change" $ do
-  it "objects come, go and are replaced as in the placement, and all look-ups are its" $
+  it "objects come, go and are replaced as in the placement, and so do all look-ups" $
     \home ->
       withMaxSuccess (max 1 (cases home (byEffort 2 6)))
         . forAllBlind (vectorOf 3 ((,) <$> genStep <*> arbitrary))
         $ \steps -> ioProperty (stored (\path place -> walk path place steps) home)
-  it "what is refused leaves the store as it was" $
+  it "a refused change leaves the store as it was" $
     stored $ \path place -> do
       change path (adding 1 (placementSolids place))
         `shouldReturn` Right (Left (NotChanged (RepeatedObject "cube")))
@@ -54,7 +54,7 @@ spec = describe "change" $ do
         `shouldReturn` Right (Left (NotChanged (UnknownObject "sphere")))
       asked path $ \store -> storedPlacement store `shouldReturn` Right place
   -- A part that was made for the first place was decoded as "on no object".
-  it "an object that comes back elsewhere is told with its first place, until it lies there again" $
+  it "an object that returns elsewhere is reported with its first place until it lies there again" $
     stored $ \path _ -> do
       let (lid, other) = (box "lid" 30 30 40, box "other" 30 30 40)
           told purposely step = fmap (fmap snd) <$> changeRemembering path purposely step
@@ -86,11 +86,11 @@ spec = describe "change" $ do
       -- Replaced by another object of its name.
       told [] (removing ["lid"] >=> adding 1 [box "lid" 40 40 40]) `shouldReturn` elsewhere
       told [] (removing ["lid"] >=> adding 1 [other]) `shouldReturn` nothing
-      -- On purpose, so that from then on this is its place.
+      -- On purpose, so that this is its place from now on.
       told ["lid"] (adding 1 [lid]) `shouldReturn` nothing
       told [] (removing ["lid"]) `shouldReturn` nothing
       told [] (adding 1 [lid]) `shouldReturn` nothing
-  it "a store from before there was a memory is asked and changed as ever, and remembers then" $
+  it "a store that predates the memory of places works as before, and begins to remember" $
     \home -> flip stored home $ \path place -> do
       execute home path ["DROP TABLE former_laying"]
       asked path $ \store -> storedPlacement store `shouldReturn` Right place
@@ -99,7 +99,7 @@ spec = describe "change" $ do
       Right (Right (now, former)) <- changeRemembering path [] (adding 1 [box "cube" 40 40 40])
       Map.keys former `shouldBe` ["cube"]
       asked path $ \store -> storedPlacement store `shouldReturn` Right now
-  it "some objects are read as they are among all, and are refused where one is not there" $
+  it "some objects are read as they are among all, and an unknown one is refused" $
     stored $ \path place -> asked path $ \store -> do
       storedNear store canonicalWindow everyPosition `shouldReturn` Right place
       for_ (placementSolids place) $ \body -> do
@@ -122,7 +122,7 @@ spec = describe "change" $ do
       Right (Right place) <- withStore path Nothing storedPlacement
       sort (map (objectText . solidName) (placementSolids place))
         `shouldBe` sort ("cube" : ["box" ++ show i | i <- [1 .. 6 :: Int]])
-  it "one that is being made is asked as it was, or as it is then" $
+  it "a store that is being replaced answers as before or as after" $
     stored $ \path place -> do
       let fewer = either (error . show) id (removing ["cube"] place)
           at = Position 6 5
@@ -156,7 +156,7 @@ spec = describe "change" $ do
             `shouldReturn` first NotInStore (arrayPosition now (laidFace laid) (Position 0 0))
         firstRead store now (reading `mod` (length (laidFaces now) + 2))
       walk path now others
-    -- The first faces are the first of all, and what lies within reach of them is the same.
+    -- The first faces are the first of all, and everything within reach of them is the same.
     firstRead store place count = do
       let reach = Shape 1 2
       found <- storedFirst store count reach
@@ -171,10 +171,10 @@ spec = describe "change" $ do
         | Position i j <- shapeCells (Shape (tall + 2 * down) (broad + 2 * across))
       ]
 
--- | What is promised of files alone.
+-- | Tests the promises about files only.
 inFiles :: Spec
 inFiles = describe "change of a file" $ do
-  it "what is refused leaves the file as it was, to the byte" $
+  it "a refused change leaves the file as it was, to the byte" $
     storedInFile $ \path place -> do
       before <- Bytes.readFile path
       change path (adding 1 (placementSolids place))
@@ -182,9 +182,9 @@ inFiles = describe "change of a file" $ do
       change path (removing ["sphere"])
         `shouldReturn` Right (Left (NotChanged (UnknownObject "sphere")))
       Bytes.readFile path `shouldReturn` before
-  -- Decoding looks up every place that a press may show: on a small array, all of them. With a
-  -- statement a cell, that took 25 times as long as the recognition.
-  it "what lies at all cells is found with two statements a row of the array at most" $
+  -- Decoding looks up every place that a press may show, on a small array all of them. With a
+  -- statement for each cell that took 25 times as long as the recognition.
+  it "all cells are looked up with at most two statements for each row of the array" $
     storedInFile $ \path place -> do
       statements <- statementsOn path $ do
         found <- runExceptT (selectNear shape canonicalPitch canonicalWindow everyPosition)
@@ -207,7 +207,7 @@ inFiles = describe "change of a file" $ do
       for_ (nub statements) $ \asked_ -> do
         plan <- planOf path (decodeUtf8 asked_)
         (asked_, plan) `shouldSatisfy` all ("SEARCH" `Text.isPrefixOf`) . snd
-  it "objects are added where a placement says; without one, that they lie elsewhere is told" $
+  it "objects are added where a placement has them; without one, other places are reported" $
     inFolder $ \folder -> do
       let objects arguments = scripted folder ("pra-tactile objects --database a " ++ arguments)
           listed = (\(status, out, _) -> (status, sort (lines out))) <$> objects ""
@@ -223,7 +223,7 @@ inFiles = describe "change of a file" $ do
       out `shouldSatisfy` ("\"elsewhere\":[\"lid\"]" `isInfixOf`)
       err `shouldSatisfy` ("lid lay elsewhere before: V" `isInfixOf`)
       length (lines err) `shouldBe` 1
-      -- The advice, followed: what is in the way is told, and then it lies where it lay.
+      -- The advice, followed: the obstacle is named, and then the object lies where it lay.
       (0, _, "") <- objects "--remove lid"
       (1, inTheWay, "") <- objects "--add --placement all.json lid"
       inTheWay `shouldSatisfy` ("claim the same cells" `isInfixOf`)
@@ -243,7 +243,7 @@ inFiles = describe "change of a file" $ do
   where
     shape = Shape 15 17
 
--- | The statements of a look-up in a file, but for those of transactions.
+-- | The statements of a look-up in a file, except those of transactions.
 statementsOn :: FilePath -> ReaderT SqlBackend IO a -> IO [Bytes.ByteString]
 statementsOn path lookUp = do
   said <- newIORef []
@@ -251,7 +251,7 @@ statementsOn path lookUp = do
   _ <- flip runLoggingT logged . withSqliteConn (Text.pack path) $ liftIO . runSqlConn lookUp
   filter ("SELECT" `Bytes.isPrefixOf`) . map (Bytes.takeWhile (/= ';')) <$> readIORef said
 
--- | Where the objects of a placement lie, as a store remembers it.
+-- | The places of a placement's objects, as a store remembers them.
 placesIn :: Placement -> Former
 placesIn place =
   Map.map sort . Map.fromListWith (++) $
@@ -260,7 +260,7 @@ placesIn place =
         let face = laidFace laid
     ]
 
--- | How the database goes about a question, a text for each table.
+-- | The database's plan for a query, a text for each table.
 planOf :: FilePath -> Text.Text -> IO [Text.Text]
 planOf path question = bracket (Sqlite.open (Text.pack path)) Sqlite.close $ \connection -> do
   let explained = Sqlite.prepare connection ("EXPLAIN QUERY PLAN " <> question)

@@ -1,6 +1,6 @@
 {-# LANGUAGE OverloadedStrings #-}
 
--- | Stores that contradict themselves, and how they are made.
+-- | Contradictions in stores, and the statements that make them.
 module Test.Store.Damage (contradictions, duplicates) where
 
 import Data.Text (Text)
@@ -10,7 +10,7 @@ import PraTactile.Object.WingedEdge
 import PraTactile.Store
 import Test.Recognition.Object.Support
 
--- | What may not be written into a store, though its rows are sealed, and the answer.
+-- | Contradictions in rows with correct seals, and the answer to each.
 contradictions :: [([Text], StoreError)]
 contradictions =
   [ (["DELETE FROM metadata"], UnreadableRow MetadataTable),

@@ -1,5 +1,5 @@
--- | The store's two look-ups on placements of every home: small arrays, faces as wide and as high
--- as the array, windows that go round it.
+-- | Tests the store's two look-ups on random placements in every database: small arrays, faces as
+-- wide and as high as the array, windows that go round it.
 module Test.Store.DrawnPlacements (spec) where
 
 import Data.Bifunctor (first)
@@ -20,7 +20,7 @@ import Test.Support
 
 spec :: SpecWith Home
 spec =
-  it "drawn placements are asked as they are without the store, faces as large as the array too" $
+  it "random placements answer as they do without the store, also for faces as large as the array" $
     \home -> ofDrawn (cases home (byEffort 5 60)) asking $
       \(place, windows, cells, window') -> do
         path <- newName home
@@ -30,7 +30,8 @@ spec =
             found <- storedWhereabouts store window at
             (place, window, at, found)
               `shouldBe` (place, window, at, Right (whereabouts place window at))
-          -- What is read of the objects near some cells tells of those cells what the whole tells.
+          -- The objects near some cells, read alone, give these cells the same place as the whole
+          -- does.
           near <- storedNear store window' cells
           for_ [one | Right one <- [near]] $ \some ->
             for_ (concatMap (havingCell (placementShape place) window') cells) $ \at ->
@@ -41,8 +42,7 @@ spec =
               `shouldReturn` first NotInStore (arrayPosition place face cell)
         asked `shouldBe` Right ()
 
--- | A placement, windows and cells to ask of it, and the shape of a window to read around the
--- cells.
+-- | A placement, windows and cells to ask for, and the shape of a window to read around the cells.
 asking :: Gen (Placement, [(Shape, Position)], [Position], Shape)
 asking = do
   place <- elements [cubeOf, plateWithHoles] >>= genPlacement
@@ -53,13 +53,13 @@ asking = do
   where
     cubeOf = either (error . show) id cube
 
--- | Its faces come to some vertices more than once.
+-- | A solid whose faces come to some vertices more than once.
 plateWithHoles :: Solid
 plateWithHoles =
   either (error . show) id . solid . plateOf $
     drilledWith 60 (200, 200) [(10, 10, 20, 20), (40, 10, 60, 20)]
 
--- | The positions of all windows of this shape that have this cell of the array.
+-- | The positions of all windows of this shape that contain this cell of the array.
 havingCell :: Shape -> Shape -> Position -> [Position]
 havingCell (Shape high wide) (Shape tall broad) (Position r c) =
   [ Position ((r + tall * high - i) `mod` high) ((c + broad * wide - j) `mod` wide)
@@ -67,7 +67,7 @@ havingCell (Shape high wide) (Shape tall broad) (Position r c) =
       j <- takeWhile (< broad) [0 ..]
   ]
 
--- | Faces of a solid on an array of at most 6 x 6 cells; half of them are as high, or as wide, as
+-- | Faces of a solid on an array of at most 6 x 6 cells. Half of them are as high, or as wide, as
 -- the array has room for from where they begin.
 genPlacement :: Solid -> Gen Placement
 genPlacement solid_ = do
@@ -76,7 +76,7 @@ genPlacement solid_ = do
   faces <- shuffle (solidFaces solid_)
   layings <- traverse (genLaying shape) (take 4 faces)
   let placed = placement shape between [solid_]
-      -- Those that leave the others before them room.
+      -- The faces for which those before them leave room.
       add kept laying = if fits (kept ++ [laying]) then kept ++ [laying] else kept
       fits = either (const False) (const True) . placed
   either (error . show) pure (placed (foldl add [] layings))
@@ -100,7 +100,7 @@ genPlacement solid_ = do
       begin <- frequency [(1, pure 0), (1, upTo 0 (size - 1))]
       (,) begin <$> frequency [(1, pure (size - begin)), (1, upTo 1 (size - begin))]
 
--- | A window, as large as the array or a little larger too, and where.
+-- | A window, up to a little larger than the array, and its position.
 genWindow :: Shape -> Gen (Shape, Position)
 genWindow shape@(Shape high wide) =
   (,)

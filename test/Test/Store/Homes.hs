@@ -1,6 +1,6 @@
 {-# LANGUAGE OverloadedStrings #-}
 
--- | Where a store can be: what is promised of it is tested in each place.
+-- | The places where a store can be. Its promises are tested in each.
 module Test.Store.Homes
   ( Home (..),
     Refused (..),
@@ -27,32 +27,32 @@ import Test.Store.Seals
 import Test.Store.Server
 import Test.Support
 
--- | What tests need of a database beside the store itself.
+-- | The operations that tests need on a database beside the store itself.
 data Home = Home
-  { -- | how many cases to try, where in a file there would be so many
+  { -- | the number of cases to try, given the number for a file
     cases :: Int -> Int,
-    -- | a name under which there is nothing yet
+    -- | a name that is not used yet
     newName :: IO String,
-    -- | a copy of what there is under a name, and its name; the copy before it is no more
+    -- | a copy of the store of a name, and its name; the copy before it is removed
     copied :: String -> IO String,
-    -- | statements, with the guard of foreign keys off; or why one of them is not carried out
+    -- | statements, without the check of foreign keys; or why one of them failed
     executed :: String -> [Text] -> IO (Either Refused ()),
     -- | the first row of a table, one in the middle and the last, each as a condition
     someRows :: String -> Text -> IO [Text],
     -- | a table's columns, each with other values that it may be given
     otherValues :: String -> Text -> IO [(Text, [Text])],
-    -- | how many rows there are, and how many of them have the seal that another program finds;
-    -- nothing where there is no such program
+    -- | the number of rows, and of those with the seal that another program computes; 'Nothing' if
+    -- there is no such program
     sealsFound :: String -> IO (Maybe (Int, Int)),
-    -- | give every row the seal of what it now says
+    -- | gives every row the seal of its content
     sealAgain :: String -> IO ()
   }
 
--- | Why a database does not carry out a statement.
+-- | The reason why a database does not carry out a statement.
 data Refused
   = -- | a key or a constraint
     ByConstraint
-  | -- | a value of a type that the column has not
+  | -- | a value of another type than the column's
     ByType
   | ForOtherReasons
   deriving stock (Eq, Show)
@@ -64,7 +64,7 @@ inEachHome tests = do
   describe "on a server" $
     aroundAll withServer (aroundWith (\test -> onServer (homeOnServer >=> test)) tests)
 
--- | Statements that are all carried out.
+-- | Statements that must all be carried out.
 execute :: Home -> String -> [Text] -> Expectation
 execute home name statements = executed home name statements `shouldReturn` Right ()
 
@@ -121,7 +121,7 @@ homeInFolder folder = do
           "END"
         ]
 
--- | In a schema of its own.
+-- | A home in a new schema on the server.
 homeOnServer :: Server -> IO Home
 homeOnServer server = do
   copies <- newIORef []
@@ -178,7 +178,7 @@ homeOnServer server = do
   where
     schemaIn = snd . Text.breakOnEnd "%3D" . Text.pack
     execute' name = void . sql server name . ("SET session_replication_role = replica" :)
-    -- Of what is null another value, too.
+    -- Other values for null, too.
     numberAfter c = "COALESCE(" <> c <> ", 0) + 1"
     texts c = ["COALESCE(" <> c <> " || 'x', 'x')", "COALESCE(NULLIF('', " <> c <> "), '0')"]
     refused state
@@ -227,7 +227,7 @@ inFile path statements = bracket (Sqlite.open (Text.pack path)) Sqlite.close $ \
       Sqlite.finalize
       (void . Sqlite.stepConn connection)
 
--- | What a question finds, row by row.
+-- | The rows that a query finds.
 askedInFile :: FilePath -> Text -> IO [[Text]]
 askedInFile path question = bracket (Sqlite.open (Text.pack path)) Sqlite.close $ \connection ->
   bracket (Sqlite.prepare connection question) Sqlite.finalize $ \statement ->

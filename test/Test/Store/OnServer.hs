@@ -1,6 +1,6 @@
 {-# LANGUAGE OverloadedStrings #-}
 
--- | What only a server can do to a store, and what is shown of its address.
+-- | Tests what only a server can do to a store, and how its address is shown.
 module Test.Store.OnServer (spec) where
 
 import Control.Concurrent (forkIO, threadDelay)
@@ -40,7 +40,7 @@ spec = do
 
 addresses :: Spec
 addresses = do
-  it "is shown without what is secret" $
+  it "is shown without its secrets" $
     for_
       [ ("postgresql://", "postgresql://"),
         ("postgres://host", "postgres://host"),
@@ -59,7 +59,7 @@ addresses = do
         ("password=secret", "postgresql://"),
         ("host=h;user=me;password=secret", "host=h;user=me;password=..."),
         ("dbname=postgresql://me:secret@h/d", "dbname=postgresql:..."),
-        -- What is no address, but may have a password all the same.
+        -- Malformed addresses, which may still contain a password.
         ("postgresql+psycopg2://me:secret@h/d", "postgresql+psycopg2://me:...@h/d"),
         ("mysql://me:secret@h:1/d?password=secret", "mysql://me:...@h:1/d?password=..."),
         ("jdbc:postgresql://h:1/d?Password=secret", "jdbc:postgresql://h:1/d?Password=..."),
@@ -74,7 +74,7 @@ addresses = do
         ("http://host:80/part.obj", "http://host:80/part.obj")
       ]
       $ \(name, shown) -> (name, shownName name) `shouldBe` (name, shown)
-  it "is not shown at all where a secret could be anywhere" $
+  it "is not shown at all if a secret could be anywhere in it" $
     for_
       [ "postgresql://me:se@cret@host/d",
         "postgresql://me:se/cret@host/d",
@@ -97,7 +97,7 @@ addresses = do
         outcome@(_, _, err) <- praAlone ["objects", "--database", name, "--check", "--json"]
         outcome `refuses` "postgresql://"
         err `shouldSatisfy` (not . ("cret" `isInfixOf`))
-  it "no password of any letters is in what is shown" $
+  it "is shown without any letter of its password, whatever the password" $
     withMaxSuccess (byEffort 500 2000) $
       forAll (listOf1 (elements "xyz0:@/?&=%#[],. \n")) $ \password ->
         conjoin
@@ -112,7 +112,7 @@ addresses = do
                   -- With a password that begins so, me would be a scheme.
                   ++ ["me:" ++ password ++ "@h/d" | take 2 password /= "//"]
           ]
-  it "an address that is none is refused, and no file of its name is made" $
+  it "is refused if malformed, and no file of its name is made" $
     inFolder $ \folder -> do
       for_
         [ ("postgress://me:secret@h/d", "postgress://"),
@@ -129,7 +129,7 @@ addresses = do
           outcome `refuses` why
           err `shouldSatisfy` (not . ("secret" `isInfixOf`))
       listDirectory folder `shouldReturn` []
-  it "no command repeats a password, wherever an address stands" $
+  it "is repeated without its password by every command" $
     for_
       ( zip
           [0 :: Int ..]
@@ -139,7 +139,7 @@ addresses = do
           ]
       )
       $ \(n, name) ->
-        -- In a quick run each command has one of the names.
+        -- A quick run gives each command one of the names.
         for_
           [ arguments
             | (i, arguments) <-
@@ -175,7 +175,7 @@ addresses = do
 
 secrets :: SpecWith (Either String Server)
 secrets = do
-  it "a password is taken in libpq's ways, refused, and printed in none"
+  it "a password is read in each of libpq's ways, refused, and printed in none"
     . inFolderOn
     $ \server folder -> do
       let (secret, host) = ("open sesame 7", serverFolder server)
@@ -212,7 +212,7 @@ secrets = do
               (["PGSERVICEFILE=" ++ folder </> "services"], "postgresql:///?service=tests"),
               (["PGHOST=" ++ host, "PGUSER=guarded", "PGPASSWORD=" ++ secret], "postgres://")
             ]
-      -- In a quick run in the address itself, and from a file.
+      -- A quick run takes the address itself, and a file.
       for_ (byEffort [ways !! 0, ways !! 3] ways) $ \(environment, name) -> do
         wrote@(status, out, err) <- asking environment ["--write", name, "--json"]
         unspoken wrote
@@ -232,7 +232,7 @@ secrets = do
             asking ["PGPASSFILE=" ++ folder </> "none"] [option, named ("guarded:" ++ wrong) ""]
           unspoken refused
           refused `refuses` "password"
-      -- What else can be wrong names the database, too.
+      -- The other faults name the database, too.
       for_
         [ ["--database", inAddress, "--remove", "sphere"],
           ["--database", inAddress, "--at", "6,5", "--polynomial", "2,1,0,1,1"],
@@ -245,7 +245,7 @@ secrets = do
 
 strangers :: SpecWith (Either String Server)
 strangers = do
-  it "tables of another program stay, and are refused"
+  it "tables of another program are refused and left unchanged"
     . placedOn
     $ \server place -> do
       for_
@@ -276,7 +276,7 @@ strangers = do
               \AND relnamespace = current_schema()::regnamespace"
             ]
             `shouldReturn` [["1"]]
-  it "a store of a newer version, or of an older, is refused; a part of one is damage"
+  it "a store of another version is refused; a part of a store is damage"
     . placedOn
     $ \server place ->
       for_ [2, 4] $ \version -> do
@@ -298,7 +298,7 @@ strangers = do
       let name = addressIn server "latin" []
       create name "profile" place `shouldReturn` Left (WrongEncoding name "LATIN1")
       withStore name Nothing (const (pure ())) `shouldReturn` Left (WrongEncoding name "LATIN1")
-  it "names are in the order of their characters in a database that orders them otherwise"
+  it "names are ordered by their characters even in a database with another order"
     . onServer
     $ \server -> do
       made <-
@@ -324,7 +324,7 @@ strangers = do
               storedPosition store face cell
                 `shouldReturn` either (Left . NotInStore) Right (arrayPosition place face cell)
           opened `shouldBe` Right ()
-  it "a name with a NUL is refused, and others are held as they are" . onServer $ \server -> do
+  it "a name with a NUL is refused, and all others are stored unchanged" . onServer $ \server -> do
     let named text = placement (Shape 15 17) canonicalPitch [box text 26 26 26] []
     for_ ["it's \"x\" \\ ? ?? $1 %s", "\t\n", "\955"] $ \text -> do
       name <- newSchema server
@@ -390,7 +390,7 @@ strangers = do
 
 losses :: SpecWith (Either String Server)
 losses = do
-  it "where no server is, or no such database, one line says so"
+  it "a missing server or database is reported in one line"
     . inFolderOn
     $ \server folder -> do
       withStore ("postgresql:///d?host=" ++ folder) Nothing (const (pure ()))
@@ -402,7 +402,7 @@ losses = do
       gone <- praAlone ["objects", "--at", "6,5", "--database", lonely]
       gone `refuses` "no server answers"
   -- All of these were "no server answers there", or "the server refuses".
-  it "why there is no connection is told, as psql tells it"
+  it "the reason for no connection is reported as psql reports it"
     . onServer
     $ \server -> do
       let socket = ("host", serverFolder server)
@@ -441,7 +441,7 @@ losses = do
               ++ searchPath
               ++ "'"
       withStore bySettings Nothing storedPlacement `shouldReturn` Right (Right place)
-  it "a server that goes while it is asked is told, and what was being written is not there"
+  it "a server that ends during a query is reported, and an unfinished write leaves nothing"
     . placedOn
     $ \server place -> do
       name <- newSchema server
@@ -455,7 +455,7 @@ losses = do
         look store `shouldReturn` Left (DatabaseFailed ConnectionLost)
         look store `shouldReturn` Left (DatabaseFailed ConnectionLost)
       opened `shouldBe` Right ()
-      -- The program says so in one line, whatever the server says last.
+      -- The program reports it in one line, whatever the server says last.
       inFolder $ \folder -> do
         dying <- newEmptyMVar
         _ <-
@@ -474,7 +474,7 @@ losses = do
         (status, out, err) <- takeMVar dying
         (status, length (lines out), length (lines err)) `shouldBe` (2, 1, 1)
         err `shouldSatisfy` ("the connection to the server was lost" `isInfixOf`)
-      -- Another program holds a row that must go, until the one that waits for it is ended.
+      -- Another program holds a row that must go, until the waiting program is ended.
       holding server name "run" $ do
         outcome <- newEmptyMVar
         _ <- forkIO (change victim (removing ["cube"]) >>= putMVar outcome)
@@ -498,7 +498,7 @@ losses = do
       there <- doesFileExist file
       if there then (> 0) <$> getFileSize file else pure False
 
--- | Go on while another program changes a table.
+-- | Runs an action while another program changes a table.
 holding :: Server -> String -> String -> Expectation -> Expectation
 holding server name table action = do
   over <- newEmptyMVar
@@ -516,7 +516,7 @@ holding server name table action = do
     statements =
       ["BEGIN", "LOCK TABLE " ++ table ++ " IN EXCLUSIVE MODE", "SELECT pg_sleep(60)"]
 
--- | End the connections of a program that calls itself so.
+-- | Ends the connections of the program with this name.
 ending :: Server -> String -> IO ()
 ending server application =
   void . sql server (addressIn server "postgres" []) $
@@ -525,7 +525,7 @@ ending server application =
         <> "'"
     ]
 
--- | Whether there is a connection of which this condition holds.
+-- | Whether some connection satisfies this condition.
 isSo :: Server -> Text.Text -> IO Bool
 isSo server condition =
   (/= [["0"]])
@@ -534,11 +534,11 @@ isSo server condition =
       (addressIn server "postgres" [])
       ["SELECT count(*) FROM pg_stat_activity WHERE " <> condition]
 
--- | Wait until it is so, for ten seconds at most.
+-- | Waits until the condition holds, for at most ten seconds.
 eventually :: IO Bool -> Expectation
 eventually condition = go (500 :: Int)
   where
-    go 0 = expectationFailure "it did not come to pass in ten seconds"
+    go 0 = expectationFailure "the condition did not hold within ten seconds"
     go tries = condition >>= \so -> unless so (threadDelay 20000 >> go (tries - 1))
 
 placedOn :: (Server -> Placement -> Expectation) -> Either String Server -> Expectation

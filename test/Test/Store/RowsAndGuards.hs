@@ -1,5 +1,6 @@
 {-# LANGUAGE OverloadedStrings #-}
 
+-- | Tests a store in a file: translated errors, replacement as a whole, and refused files.
 module Test.Store.RowsAndGuards (spec) where
 
 import Control.Exception (AsyncException (..), ErrorCall (..), bracket, throwIO)
@@ -51,7 +52,7 @@ import Test.Store.Homes (inFile)
 
 spec :: Spec
 spec = describe "store" $ do
-  it "what the system objects to is told by what it means; an error of the binding is damage" $
+  it "objections of the system are translated by meaning; an error of the binding is damage" $
     for_
       [ (permissionErrorType, Right (Just NotPermitted)),
         (fullErrorType, Right (Just NoRoom)),
@@ -64,7 +65,7 @@ spec = describe "store" $ do
       $ \(kind, meaning) ->
         ((,) kind <$> objectionTo (ioError (mkIOError kind "" Nothing Nothing)))
           `shouldReturn` (kind, Just meaning)
-  it "what the database objects to is told by what it means" $
+  it "objections of the database are translated by meaning" $
     for_
       [ (Sqlite.ErrorCorrupt, Left BrokenPages),
         (Sqlite.ErrorNotFound, Left BrokenPages),
@@ -85,43 +86,43 @@ spec = describe "store" $ do
       $ \(code, meaning) ->
         ((,) code <$> objectionTo (throwIO (Sqlite.SqliteException code "" "")))
           `shouldReturn` (code, Just meaning)
-  it "what is no objection of either is damage, and what other threads throw is none" $ do
+  it "any other exception is damage, except those thrown by other threads" $ do
     objectionTo (pure ()) `shouldReturn` Nothing
     objectionTo (throwIO (ErrorCall "")) `shouldReturn` Just (Left ForeignValue)
     objectionTo (throwIO UserInterrupt) `shouldThrow` (== UserInterrupt)
   describe "is one file, replaced whole or not at all" $ do
-    it "nothing else is left beside it, made twice" $
+    it "leaves no other file beside it, even when made twice" $
       inDirectory $ \directory -> thePlacement $ \place -> do
         create (directory </> "a.sqlite") "one" place `shouldReturn` Right ()
         create (directory </> "a.sqlite") "two" place `shouldReturn` Right ()
         asked (directory </> "a.sqlite") $ \store -> storedProfile store `shouldBe` "two"
         listDirectory directory `shouldReturn` ["a.sqlite"]
-    it "a directory, or a folder that is not there, is refused" $
+    it "is not written in place of a directory, or in a missing folder" $
       inDirectory $ \directory -> thePlacement $ \place -> do
         create directory profileText place `shouldReturn` Left (IsDirectory directory)
         create (directory </> "none" </> "a.sqlite") profileText place
           `shouldReturn` Left (CannotWrite (directory </> "none" </> "a.sqlite") NoFolder)
         listDirectory directory `shouldReturn` []
-    it "a file that this process is writing is in use, and not replaced" $
+    it "is not replaced while this process writes the file: it is in use" $
       withCanonical $ \place path ->
         withBinaryFile path AppendMode $ \_ -> do
           opening path `shouldReturn` Left (CannotRead path InUse)
           create path profileText place `shouldReturn` Left (Occupied path NoStore)
-    it "names that SQLite keeps for itself are plain names" $
+    it "may have any name, also names that are special to SQLite" $
       inDirectory $ \directory -> thePlacement $ \place -> do
         create (directory </> "file:x?mode=memory") profileText place `shouldReturn` Right ()
         asked (directory </> "file:x?mode=memory") $ \store ->
           storedPlacement store `shouldReturn` Right place
 
   describe "refuses, with a reason and no exception," $ do
-    it "a file that is not there, and does not make it" $
+    it "a missing file, without making it" $
       inDirectory $ \directory -> do
         opening (directory </> "none.sqlite")
           `shouldReturn` Left (NoSuchFile (directory </> "none.sqlite"))
         listDirectory directory `shouldReturn` []
     it "a directory" $
       inDirectory $ \directory -> opening directory `shouldReturn` Left (IsDirectory directory)
-    it "a text file, and an empty one, named as a database" $
+    it "a text file and an empty one that are named as a database" $
       inDirectory $ \directory -> do
         let path = directory </> "text.sqlite"
         for_ ["", "SQLite form", "cube,C1 C2 C3 C4\n"] $ \contents -> do
@@ -144,7 +145,7 @@ spec = describe "store" $ do
                         else isDamaged cut
                     )
                 )
-    it "bytes overwritten at random, or answers as if they were not" $
+    it "bytes overwritten at random, unless its answers are unchanged" $
       ofDrawn 1 (vectorOf 60 ((,) <$> choose (0, 10 ^ (9 :: Int)) <*> choose (0, 255))) $
         \damages ->
           withCanonical $ \place path -> do
@@ -160,7 +161,7 @@ spec = describe "store" $ do
                   for_ answer (`shouldBe` whereabouts place canonicalWindow at)
                   either plain (const (pure ())) answer
               either plain (const (pure ())) outcome
-    it "a database of something else" $
+    it "a database of another program" $
       inDirectory $ \directory -> do
         let path = directory </> "other.sqlite"
         execute path "CREATE TABLE shopping (item TEXT)"
@@ -176,7 +177,7 @@ withCanonical test = inDirectory $ \directory -> thePlacement $ \place -> do
   create path profileText place `shouldReturn` Right ()
   test place path
 
--- Without the foreign keys' guard, which is off where it is not asked for.
+-- Without the check of foreign keys, which is off by default.
 execute :: FilePath -> Text -> IO ()
 execute path statement = inFile path [statement]
 

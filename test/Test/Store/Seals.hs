@@ -1,12 +1,12 @@
--- | The seals that rows carry, computed by another program from the file alone: Python's sqlite3
--- and hashlib. Stores that exist must stay readable, so that what is hashed is a promise.
+-- | The seals of rows, computed by another program from the file alone: Python's sqlite3 and
+-- hashlib. Stores that exist must stay readable, so the hashed bytes are a promise.
 module Test.Store.Seals (sealsInPython, sealAgainInPython) where
 
 import System.Directory (findExecutable)
 import System.Process (readProcess)
 import Test.Hspec
 
--- | How many rows a store has, and how many of them have the seal that Python finds; nothing where
+-- | The number of rows in a store, and of those with the seal that Python computes; 'Nothing' if
 -- there is no Python.
 sealsInPython :: FilePath -> IO (Maybe (Int, Int))
 sealsInPython path = do
@@ -15,7 +15,7 @@ sealsInPython path = do
     Just [rows, same] -> Just (rows, same)
     _ -> Nothing
 
--- | Give every row the seal of what it now says, with foreign keys not looked at.
+-- | Gives every row the seal of its content, without the check of foreign keys.
 sealAgainInPython :: FilePath -> IO ()
 sealAgainInPython path =
   python ["seal", path]

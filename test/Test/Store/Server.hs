@@ -1,8 +1,8 @@
 {-# LANGUAGE OverloadedStrings #-}
 
--- | A server of PostgreSQL of the suite's own: in a new folder, on a socket there, of an
--- unprivileged user where the suite is root's. It ends, and its folder goes, with the suite,
--- however that ends: it lives as long as the suite holds the other end of its standard input.
+-- | The suite's own server of PostgreSQL, in a new folder, on a socket there, run by an
+-- unprivileged user if the suite is root's. The server and its folder last as long as the suite
+-- holds the other end of the server's standard input, however the suite ends.
 module Test.Store.Server
   ( Server (..),
     withServer,
@@ -33,17 +33,17 @@ import System.Process
 import Test.Hspec
 import Test.Support
 
--- | A server that runs.
+-- | A running server.
 data Server = Server
-  { -- | where its programs are
+  { -- | the folder of its programs
     serverPrograms :: FilePath,
-    -- | where its socket is
+    -- | the folder of its socket
     serverFolder :: FilePath,
-    -- | how many schemas tests have been given
+    -- | the number of schemas given to tests
     serverCount :: IORef Int
   }
 
--- | Go on with a server, or with what is missing for one.
+-- | Runs an action with a server, or with what is missing for one.
 withServer :: (Either String Server -> IO a) -> IO a
 withServer action = do
   found <- programs
@@ -84,7 +84,7 @@ withServer action = do
             group <- take 1 (lines out)
         ]
 
--- | Where the server's programs are, all of them: on the path, or where Debian has them.
+-- | The folder with all of the server's programs: on the path, or where Debian has them.
 programs :: IO (Maybe FilePath)
 programs = do
   onPath <- findExecutable "pg_isready"
@@ -97,8 +97,7 @@ programs = do
   where
     debians = "/usr/lib/postgresql"
 
--- What is read from its standard input is nothing, until that ends. A user named guarded needs a
--- password.
+-- The standard input gives nothing until it ends. A user named guarded needs a password.
 script :: String
 script =
   unlines
@@ -127,11 +126,11 @@ script =
       "cat > /dev/null"
     ]
 
--- | A test with the server, which is pending where there is none.
+-- | A test with the server, which is pending without one.
 onServer :: (Server -> Expectation) -> Either String Server -> Expectation
 onServer = either pendingWith
 
--- | The address of a database there, with further parameters, as the user who may do all.
+-- | The address of a database on the server, with further parameters, as the user with all rights.
 addressIn :: Server -> String -> [(String, String)] -> String
 addressIn server database more =
   "postgresql://postgres@/" ++ database ++ "?"
@@ -145,13 +144,13 @@ newSchema server = do
   _ <- sql server (addressIn server "postgres" []) [Text.pack ("CREATE SCHEMA " ++ schema)]
   pure (addressIn server "postgres" [("options", "-csearch_path%3D" ++ schema)])
 
--- | Have statements carried out in a database, one after the other, and answer with what they find:
--- a line a row, its columns parted by tabs.
+-- | Runs statements in a database one after the other, and answers with their rows: a line for
+-- each, with columns separated by tabs.
 sql :: Server -> String -> [Text] -> IO [[Text]]
 sql server address statements =
   attempted server address statements >>= either (\state -> fail ("psql: " ++ state)) pure
 
--- | The same, or the server's code for what it refuses.
+-- | Runs statements as 'sql' does, or gives the server's code for a refusal.
 attempted :: Server -> String -> [Text] -> IO (Either String [[Text]])
 attempted server address statements = do
   (status, out, err) <-
@@ -163,7 +162,7 @@ attempted server address statements = do
     ExitSuccess -> Right (map (Text.splitOn "\t") (Text.lines (Text.pack out)))
     ExitFailure _ -> Left (last ("" : words err))
 
--- | What the server has logged of a program that calls itself so.
+-- | The server's log of the program with this name.
 logged :: Server -> Text -> IO [Text]
 logged server application = do
   text <- Text.pack <$> readFile (serverFolder server </> "log")

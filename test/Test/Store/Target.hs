@@ -1,6 +1,6 @@
 {-# LANGUAGE OverloadedStrings #-}
 
--- | Where a store is written, and where not.
+-- | Tests where a store may be written.
 module Test.Store.Target (spec) where
 
 import Control.Exception (bracket)
@@ -24,7 +24,7 @@ import Test.Support
 
 spec :: Spec
 spec = describe "create" $ do
-  it "says of the system's objections what they mean" $
+  it "translates the system's errors by meaning" $
     map
       (\kind -> failureOf (mkIOError kind "openFile" Nothing (Just "some")))
       [ permissionErrorType,
@@ -36,7 +36,7 @@ spec = describe "create" $ do
         userErrorType
       ]
       `shouldBe` [NotPermitted, NoRoom, InUse, NoFolder] ++ replicate 3 SystemRefuses
-  it "writes under a new name, and over a store, of an older version too" $
+  it "writes under a new name and over a store, also one of an older version" $
     placed $ \folder place -> do
       let path = folder </> "a.sqlite"
       create path "one" place `shouldReturn` Right ()
@@ -55,7 +55,7 @@ spec = describe "create" $ do
       profileIn path `shouldReturn` Right "two"
       pathIsSymbolicLink link `shouldReturn` True
       sort <$> listDirectory folder `shouldReturn` ["a.sqlite", "link"]
-  it "refuses a text file, an empty one and other databases; they stay to the byte" $
+  it "refuses a text file, an empty one and other databases, and leaves them as they were" $
     placed $ \folder place -> do
       let path = folder </> "mine"
       execute (folder </> "other") "CREATE TABLE metadata (schema_version INTEGER, profile TEXT)"
@@ -77,7 +77,7 @@ spec = describe "create" $ do
           Bytes.readFile path `shouldReturn` content
           removeLink (path ++ ".link")
       sort <$> listDirectory folder `shouldReturn` sort ("mine" : there)
-  it "refuses a store with a journal beside it, or in write-ahead mode; they stay to the byte" $
+  it "refuses a store with a journal or in write-ahead mode, and leaves both as they were" $
     placed $ \folder place -> do
       let path = folder </> "a.sqlite"
           journal = path ++ "-journal"
@@ -92,7 +92,7 @@ spec = describe "create" $ do
       Bytes.writeFile path ahead
       create path "two" place `shouldReturn` Left (Occupied path NoStore)
       Bytes.readFile path `shouldReturn` ahead
-  it "refuses a folder, a pipe, a device, a link to them or to nothing; opens none" $
+  it "refuses a folder, a pipe, a device, and links to them or to nothing; opens none" $
     placed $ \folder place -> do
       createDirectory (folder </> "folder")
       createNamedPipe (folder </> "pipe") 0o600
@@ -100,7 +100,7 @@ spec = describe "create" $ do
       createFileLink (folder </> "nothing") (folder </> "to-nothing")
       createFileLink (folder </> "round") (folder </> "round")
       user <- getEffectiveUserID
-      -- The device that takes everything, under a name of its own.
+      -- The device that discards everything, under another name.
       when (user == 0) $ createDevice (folder </> "device") (characterSpecialMode + 0o600) 0x103
       there <- sort <$> listDirectory folder
       create (folder </> "folder") "one" place
@@ -118,7 +118,7 @@ spec = describe "create" $ do
       when (user == 0) $ do
         status <- getFileStatus (folder </> "device")
         isCharacterDevice status `shouldBe` True
-  it "uses up what an interrupted run left behind, with journals, and nothing else of that name" $
+  it "replaces the parts and journals of an interrupted run, but no other file of that name" $
     placed $ \folder place -> do
       let path = folder </> "a.sqlite"
           part = path ++ ".part"
@@ -135,7 +135,7 @@ spec = describe "create" $ do
       create path "newer" place `shouldReturn` Left (Occupied part NoStore)
       Bytes.readFile part `shouldReturn` "precious\n"
       profileIn path `shouldReturn` Right "new"
-  it "refuses what is no file in the place of a part or of its journals" $
+  it "refuses anything but a file in the place of a part or of its journals" $
     placed $ \folder place ->
       forM_ ["", "-journal", "-wal", "-shm"] $ \ending -> do
         let path = folder </> "a.sqlite"

@@ -1,5 +1,5 @@
--- | The alphabet of the paper's array and its network, and frames put together by it: what tests of
--- touch use where nothing is said of shapes.
+-- | The alphabet of the paper's array and its network, and frames registered with it. Tests of
+-- touch use them unless they are about shapes.
 module Test.Touch.Paper
   ( paperAlphabet,
     paperNetwork,
@@ -35,7 +35,7 @@ paperAlphabet = shippedAlphabet 4
 paperNetwork :: Either ShippedError Network
 paperNetwork = shippedNetwork 4
 
--- | The symbols' shapes and network with what is made of them, once for all tests.
+-- | The symbols' shapes and network, and what is computed from them, once for all tests.
 paperReader :: Reader
 paperReader = either (error . show) id (readerOf <$> paperAlphabet <*> paperNetwork)
 

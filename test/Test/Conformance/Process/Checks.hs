@@ -1,7 +1,7 @@
 {-# LANGUAGE OverloadedStrings #-}
 
--- | What must hold of the exchange with a process, whatever it is asked: how it ends, and what it
--- does without a profile; by small shell scripts.
+-- | Tests the checks of the protocol on small shell scripts: what a process must do whatever it is
+-- asked, how it ends, and what it does without a profile.
 module Test.Conformance.Process.Checks (spec) where
 
 import Control.Monad (forM, forM_)
@@ -19,8 +19,8 @@ import Test.Hspec
 
 spec :: Spec
 spec = do
-  it "at its end any status is well, and a signal or a word is not; it ends when it is told to" $ do
-    -- Who ignores a signal has processes that do.
+  it "a process may end with any status, but not by a signal or with output; stop must end it" $ do
+    -- A process that ignores a signal starts children that ignore it too.
     before' <- installHandler sigHUP Default Nothing
     forM_
       [ ("exit 0", Nothing),
@@ -45,7 +45,7 @@ spec = do
           `shouldBe` (ending, Right [CheckHeld, judged startRequest, judged stopRequest])
     _ <- installHandler sigHUP before' Nothing
     pure ()
-  it "after a refused profile none is in force: what is answered all the same is told" $ do
+  it "no profile is in force after a refusal; an answer given all the same is reported" $ do
     let impossible = canonicalProfile {profileOrder = 6}
         operands = exampleOf (SomeOp Add)
         requests =
@@ -81,7 +81,7 @@ spec = do
       $ \(script, wanted) -> do
         came <- tried script ["none-in-force-after-a-refusal"]
         came `shouldBe` Right [wanted]
-  it "what is no profile is refused, and one that is is taken in either form" $
+  it "an invalid profile must be refused, and a valid one accepted in either form" $
     forM_ [("{\"result\":true}", [False, True]), ("{\"refused\":\"invalid\"}", [True, False])] $
       \(reply, wanted) -> do
         let script =
@@ -89,7 +89,7 @@ spec = do
                 ++ ("; while read -r line; do echo '" ++ reply ++ "'; done")
         came <- held script ["refuses-what-is-no-profile", "takes-profiles-in-either-form"]
         (reply, came) `shouldBe` (reply, Right wanted)
-  it "what was asked before stop is answered, by whoever does not end first" $
+  it "a process must answer everything that was asked before stop; one that ends earlier fails" $
     forM_ [("2002", True), ("2001", False), ("0", False)] $ \(count, wanted) -> do
       let script =
             unlines
@@ -100,7 +100,7 @@ spec = do
               ]
       came <- held script ["answers-before-it-stops"]
       (count, came) `shouldBe` (count, Right [wanted])
-  it "an operation that there is not is skipped by a process a request; all else is told" $ do
+  it "one process per request: an unknown operation must be skipped; anything else is reported" $ do
     let request =
           object
             [ "profile" .= profileValue canonicalProfile,
@@ -122,7 +122,7 @@ spec = do
           withProcess OneShot (Limits 20 60) (shell (answering reply)) $ \subject ->
             forM (subjectChecks subject) checkTry
         (reply, came) `shouldBe` (reply, Right [wanted])
-  it "an operation that there is not is skipped in a session, whatever its name" $ do
+  it "a session must skip an unknown operation, whatever its name" $ do
     let answering unknown =
           unlines
             [ "n=0; read -r line; " ++ started "\"add\"",
@@ -145,7 +145,7 @@ spec = do
       $ \(unknown, wanted) -> do
         came <- held (answering unknown) ["unknown-operation-is-skipped"]
         (unknown, came) `shouldBe` (unknown, Right [wanted])
-  it "a request is the same however it is written: who looks for words in its text is told" $
+  it "a request means the same in any JSON text; a process that searches the text is reported" $
     forM_
       [ ("*", True),
         ("*'\"add\"'*", False),
@@ -163,7 +163,7 @@ spec = do
                 ]
         came <- held script ["reads-any-json-text"]
         (sought, came) `shouldBe` (sought, Right [wanted])
-  it "each thing that must hold of the exchange itself says so in a sentence" $ do
+  it "each check of the protocol states its demand in a sentence" $ do
     let ids = map checkId
         once' = "echo '{\"sequence\":1,\"result\":0}'"
         answering = "read -r line; " ++ started "" ++ "; read -r line"
@@ -183,8 +183,7 @@ spec = do
     nub (texts (inSession ++ alone)) `shouldBe` checkTexts
     map snd checkTexts `shouldSatisfy` notElem ""
 
--- | What comes of the checks of these names, after @protocol/@, with a script as the subject; and
--- whether they hold.
+-- | Runs the checks of these names (after @protocol/@) on a script.
 tried :: String -> [String] -> IO (Either Fault [Checked])
 tried script names = session (shell script) $ \subject ->
   sequence
@@ -200,7 +199,7 @@ session = withProcess InSession (Limits 20 60)
 shell :: String -> Command
 shell script = Command "sh" ["-c", script]
 
--- | The reply to the start, with these operations.
+-- | The reply to the start request, with these operations.
 started :: String -> String
 started operations =
   "echo '{\"protocol\":1,\"name\":\"s\",\"in_flight\":1,\"operations\":[" ++ operations ++ "]}'"

@@ -1,7 +1,7 @@
 {-# LANGUAGE OverloadedStrings #-}
 
--- | @conform@ on real processes: those that are right, those that are wrong, and those that do
--- anything but reply; and what it leaves behind.
+-- | Runs @conform@ on real processes: right ones, wrong ones, and ones that do anything but reply.
+-- Also tests what a run leaves behind.
 module Test.Conformance.Process.Faults (spec, usageSpec) where
 
 import Data.Aeson (Value (..))
@@ -22,7 +22,7 @@ spec = do
   python <- runIO (findExecutable "python3")
   case python of
     Nothing ->
-      it "is tried on small subjects" $
+      it "conform is tried on small subjects" $
         pendingWith "python3 is not installed here, so that these subjects were not run"
     Just _ -> do
       faultSpec
@@ -33,7 +33,7 @@ spec = do
       signalSpec
       limitSpec
 
--- | What a process can do instead of replying, and the name that it gets.
+-- | What a process can do instead of replying, and the name of that fault.
 instead :: [(String, String)]
 instead =
   [ ("crash", "crashed"),
@@ -69,18 +69,18 @@ faultSpec = describe "in a session" $ do
       (status, err) `shouldBe` (1, "")
       faults out `shouldContain` [name]
       reported "certified" out `shouldBe` Just (Bool False)
-  it "what is right is certified, whatever it writes to its standard error, and its status" $
+  it "conform certifies a right adder, whatever its standard error and its exit status" $
     for_ (byEffort id ("none" :) ["flood", "status-3"]) $ \fault -> do
       (status, out, _) <- adder ["--json"] [fault]
       (status, faults out, reported "certified" out) `shouldBe` (0, [], Just (Bool True))
       reported "failed" out `shouldBe` Just (Number 0)
-  it "what is skipped though it is offered fails" $ do
+  it "a law fails if the process skips an operation that it offers" $ do
     (status, out, _) <- adder ["--json"] ["skips"]
     (status, lookup "field/addition-as-defined" (outcomes out)) `shouldBe` (1, Just "failed")
-  it "what errs is errored" $ do
+  it "a law is errored if the process answers with an error" $ do
     (status, out, _) <- adder ["--json"] ["errs"]
     (status, lookup "field/addition-as-defined" (outcomes out)) `shouldBe` (1, Just "errored")
-  it "what answers with another type fails, and what does not answer is errored" $
+  it "a law fails on an answer of another type, and is errored without an answer" $
     for_
       ( [("type", "failed"), ("crash", "errored")]
           ++ byEffort [] [("garbage", "errored"), ("both", "errored")]
@@ -88,61 +88,61 @@ faultSpec = describe "in a session" $ do
       $ \(fault, outcome) -> do
         (_, out, _) <- adder ["--json"] [fault]
         lookup "field/addition-as-defined" (outcomes out) `shouldBe` Just outcome
-  it "how it ends, and what it does without a profile, is asked by name" $
+  it "checks of how a process ends, and of what it does without a profile, can be run by name" $
     for_ ["none-in-force-after-a-refusal", "ends-with-its-input", "ends-when-stopped"] $ \name -> do
       (status, out, err) <-
         conform
           ["--json", "--profile", paperFile, "--run", "protocol/" ++ name]
           ["python3", "test/subjects/faulty.py", "none"]
       (status, err, outcomes out) `shouldBe` (0, "", [("protocol/" ++ name, "held")])
-  it "whoever skips everything, offers nothing or refuses possible profiles is not certified" $
+  it "a process that skips all, offers nothing or refuses possible profiles is not certified" $
     for_ ["skips-all", "offers-nothing", "refuses-all"] $ \fault -> do
       (status, out, _) <- adder ["--json"] [fault]
       (status, reported "certified" out) `shouldBe` (1, Just (Bool False))
-  it "what it said last on its standard error is told" $ do
+  it "the report quotes the last text on the process's standard error" $ do
     (_, out, _) <- adder [] ["crash"]
     out `shouldSatisfy` isInfixOf "on its standard error: the table is not there"
-  -- In a quick run "Test.Conformance.Process.Output" has this of scripts, and of the words.
-  whenFull . it "what was waited for is told in seconds" $
+  -- "Test.Conformance.Process.Output" tests this on scripts, with the words, in a quick run.
+  whenFull . it "the report gives in seconds how long the runner waited" $
     for_ [("0.5", "0.5 seconds"), ("1", "1 second"), ("1.5", "1.5 seconds")] $
       \(limit, said) -> do
         (_, out, _) <- adder ["--timeout", limit] ["hang"]
         out `shouldSatisfy` isInfixOf ("no reply within " ++ said ++ "\n")
-  it "of a line that is too long the first hundred bytes are told" $ do
+  it "the report shows the first hundred bytes of a line that is too long" $ do
     (_, out, _) <- adder [] ["long-line"]
     out `shouldSatisfy` isInfixOf (": " ++ replicate 100 ' ' ++ " ...")
-  it "time is limited for all together as well" $ do
+  it "the time of all laws together is limited as well" $ do
     (status, out, _) <- adder ["--timeout", "60", "--limit", byEffort "0.5" "2", "--json"] ["hang"]
     (status, take 1 (faults out)) `shouldBe` (1, ["too-slow"])
-  it "several processes of it find the same" $ do
+  it "conform --parallel finds the same failures and tokens as a single process" $ do
     (_, alone, _) <- adder ["--json"] ["order"]
     (_, several, _) <- adder ["--json", "--parallel", "3"] ["order"]
     (outcomes several, tokens several) `shouldBe` (outcomes alone, tokens alone)
   where
-    -- A quick run waits for one that hangs and one that closes its output. The others are waited
-    -- for as long, or for the five seconds that a process has to end; but for that, scripts that do
-    -- the like are tested in "Test.Conformance.Process.Output".
+    -- A quick run waits only for a process that hangs and for one that closes its output. The
+    -- others take as long, or the five seconds that a process has to end.
+    -- "Test.Conformance.Process.Output" tests scripts that do the same.
     waiting = ["children", "no-line-end", "closed-input", "stays"]
 
--- | How many seconds an adder with a fault is given for an answer: few only where it is the fault
--- that it never ends, for a busy machine may take its time to start one.
+-- | The seconds that an adder with a fault is given for an answer. They are few only where the
+-- fault is that it never ends, because a busy machine may be slow to start one.
 patience :: String -> String
 patience fault
   | fault `elem` ["hang", "stays", "closed-input", "no-line-end"] = byEffort "0.5" "3"
   | otherwise = "60"
 
 oneShotSpec :: Spec
-oneShotSpec = describe "with a process a request" $ do
+oneShotSpec = describe "with a process per request" $ do
   for_ (byEffort (filter ((`elem` unlike) . fst)) id oneShotFaults) $ \(fault, name) ->
     it (fault ++ " is " ++ name) $ do
       (status, out, _) <- once ["--timeout", patience fault, "--json"] [fault]
       (status, faults out) `shouldBe` (1, [name])
-  it "what is right is certified" $ do
+  it "conform certifies a right adder" $ do
     (status, out, _) <- once ["--json"] []
     (status, reported "certified" out) `shouldBe` (0, Just (Bool True))
   where
-    -- A reply too few, none in time, a wrong one, too many, and no end after it. Scripts that do
-    -- the others are tested in "Test.Conformance.Process.Output".
+    -- One reply too few, no reply in time, a wrong reply, one too many, and no end after the reply.
+    -- "Test.Conformance.Process.Output" tests the other faults on scripts.
     unlike = ["crash", "hang", "wrong-number", "lines-after-1003", "stays"]
     oneShotFaults =
       [ ("crash", "crashed"),
@@ -152,7 +152,7 @@ oneShotSpec = describe "with a process a request" $ do
         ("wrong-number", "out-of-order"),
         ("twice", "answered-twice"),
         ("garbage-after", "not-a-reply"),
-        -- The first of them, and 1002 more.
+        -- The first reply and 1002 more.
         ("lines-after-1002", "not-a-reply"),
         ("lines-after-1003", "endless-output"),
         ("half-line-after", "half-line"),
@@ -162,7 +162,7 @@ oneShotSpec = describe "with a process a request" $ do
 
 choiceSpec :: Spec
 choiceSpec = describe "laws that fail" $ do
-  it "are no failure where they are known, and one where they pass all the same" $
+  it "are not a failure if listed as known, but a listed law that passes is one" $
     inFolder $ \folder -> do
       let file = folder </> "known"
       writeFile file "# what is known\n\nfield/addition-as-*  # not yet\n"
@@ -172,20 +172,20 @@ choiceSpec = describe "laws that fail" $ do
       (status', out', _) <- adder ["--known-failures", file] ["none"]
       status' `shouldBe` 1
       out' `shouldSatisfy` isInfixOf "held, but must fail: field/addition-as-*"
-  it "must fail where they are skipped, if that is asked for" $ do
+  it "are run even if skipped, and must fail, if that is requested" $ do
     let skip = ["--skip", "field/addition-as-defined", "--skip-must-fail"]
     (held, _, _) <- adder skip ["none"]
     (_, out, _) <- adder ("--json" : skip) ["errs"]
     held `shouldBe` 1
     lookup "field/addition-as-defined" (outcomes out) `shouldBe` Just "known-failure"
-  it "end the run at once, if that is asked for" $ do
+  it "end the run at once, if that is requested" $ do
     (_, out, _) <- adder ["--json", "--fail-fast"] ["errs"]
     map snd (outcomes out) `shouldBe` ["errored", "held", "held", "held"]
-    -- For this one the five seconds are waited that a process has to end.
+    -- This subject is given the five seconds that a process has to end.
     whenFull $ do
       (_, out', _) <- adder ["--json", "--fail-fast"] ["stays"]
       map snd (outcomes out') `shouldBe` ["skipped", "held", "errored", "skipped"]
-  it "are written for build servers as XML" $
+  it "are written as XML for build servers" $
     inFolder $ \folder -> do
       let file = folder </> "report.xml"
       _ <- adder ["--junit", file] ["garbage"]
@@ -195,7 +195,7 @@ choiceSpec = describe "laws that fail" $ do
       counts' <- readProcess "python3" ["-c", countCases, file] ""
       counts' `shouldBe` "[4, 0, 0, 1]\n"
   where
-    -- What the root and the suites state is what there is in them.
+    -- The counts in the root and in the suites equal the number of elements.
     countCases =
       "import sys, xml.etree.ElementTree as x\n\
       \t = x.parse(sys.argv[1]).getroot()\n\
@@ -207,7 +207,7 @@ choiceSpec = describe "laws that fail" $ do
 
 replaySpec :: Spec
 replaySpec = describe "a token" $ do
-  it "is all that is needed to try the case again" $ do
+  it "is enough to try the case again" $ do
     (_, out, _) <- adder ["--json"] ["type"]
     let replayed token fault =
           conform
@@ -220,7 +220,7 @@ replaySpec = describe "a token" $ do
       (status', again', _) <- replayed token "none"
       (status', map snd (outcomes again'), reported "cases" again')
         `shouldBe` (0, ["held"], Just (Number 1))
-  it "that is none is said to be" $ do
+  it "is rejected in words if it is malformed" $ do
     (status, out, err) <- conform ["--replay", "abc"] ["true"]
     (status, out) `shouldBe` (2, "")
     err `shouldSatisfy` isInfixOf "abc is no token"
@@ -243,7 +243,7 @@ endSpec = describe "nothing is left behind" $
 
 signalSpec :: Spec
 signalSpec = describe "signals" $ do
-  it "end it whenever they come, as they end any program" $
+  it "end conform at any time, as they end any program" $
     for_ ["SIGINT", "SIGTERM", "SIGHUP"] $ \signal -> do
       said <-
         readProcess
@@ -254,7 +254,7 @@ signalSpec = describe "signals" $ do
           )
           ""
       (signal, words said) `shouldBe` (signal, [signal])
-  it "that are ignored when it starts stay so" $ do
+  it "that are ignored when conform starts stay ignored" $ do
     let second = byEffort 0.4 1 :: Double
     said <-
       readProcess
@@ -269,8 +269,8 @@ signalSpec = describe "signals" $ do
     said `shouldBe` "0\n"
 
 limitSpec :: Spec
-limitSpec = describe "the time for all of it" $
-  it "holds before the first reply, too" $
+limitSpec = describe "the time limit of a whole run" $
+  it "includes the wait for the first reply" $
     for_ [[], ["--one-shot"], ["--parallel", "3"]] $ \how -> do
       begun <- getMonotonicTime
       outcome <-
@@ -280,13 +280,13 @@ limitSpec = describe "the time for all of it" $
           )
       ended <- getMonotonicTime
       outcome `refuses` "the time of --limit was over"
-      -- Long enough for a busy machine, and half of what it would wait for a reply.
+      -- Long enough for a busy machine, and half of the wait for a reply.
       ended - begun `shouldSatisfy` (< 30)
 
--- | What commands alone show.
+-- | Tests what only the command shows.
 usageSpec :: Spec
 usageSpec = describe "usage" $ do
-  it "a command that cannot be started, or never answers" $ do
+  it "conform reports a command that cannot be started or never answers" $ do
     conforming ["--", "./no-such-subject"] `complains` "there is no such program"
     conforming ["--", "README.md"] `complains` "there is no such program"
     conforming ["--", "./README.md"] `complains` "it is no program that may be run"
@@ -294,7 +294,7 @@ usageSpec = describe "usage" $ do
     conforming ["--one-shot", "--", "true"] `complains` "never answered start: crashed"
     conforming ["--timeout", "0.2", "--", "sleep", "60"] `complains` "never answered start: timeout"
     conforming ["--timeout", "0.2", "--", "sleep", "60"] `complains` "flush its standard output"
-  it "a mistake that a fresh process makes too does not depend on what was asked before" $
+  it "a mistake that a fresh process repeats does not depend on earlier requests" $
     for_ [[], ["--one-shot"]] $ \how -> do
       (status, out, _) <-
         inOrder
@@ -302,7 +302,7 @@ usageSpec = describe "usage" $ do
           (words "pra-tactile serve --impostor reduces-by-another-modulus" ++ how)
       (status, lookup "field/in-any-order" (outcomes out))
         `shouldSatisfy` (`elem` [(0, Just "held"), (1, Just "skipped")])
-  it "but one that comes after a refusal alone does" $ do
+  it "a mistake that comes only after a refusal depends on earlier requests" $ do
     (status, out, _) <-
       inOrder
         ["--cases", "20"]
@@ -311,7 +311,7 @@ usageSpec = describe "usage" $ do
           "pra-tactile serve | sed -u '/\"refused\"/{n;s/\"result\":\\([0-9]\\)/\"result\":1\\1/}'"
         ]
     (status, lookup "field/in-any-order" (outcomes out)) `shouldBe` (1, Just "failed")
-  it "no command, and names of no law" $ do
+  it "conform refuses to run without a command, or with the name of no law" $ do
     conforming [] `complains` "name the command"
     conforming ["--run", "no-such-law", "--", "true"]
       `complains` "no law is called \"no-such-law\""
@@ -320,13 +320,13 @@ usageSpec = describe "usage" $ do
       writeFile (folder </> "known") "field/no-such-law\n"
       conforming ["--known-failures", folder </> "known", "--", "true"]
         `complains` "no law is called \"field/no-such-law\""
-  it "a profile of an array that is too large for the definition" $
+  it "conform refuses a profile whose array is too large for the definition" $
     inFolder $ \folder -> do
       (_, profile, _) <- pra (words "profile --q 2 --shape 4095x4097 --polynomial" ++ [pentanomial])
       writeFile (folder </> "large.json") profile
       ["conform", "--profile", folder </> "large.json", "--", "true"]
         `complains` "large: this profile's array has more than 2^20 cells"
-  it "the laws are listed, each once" $ do
+  it "conform lists each law once" $ do
     (status, out, _) <- pra (conforming ["--list", "--stage", "field"])
     status `shouldBe` 0
     length (filter (isInfixOf "field/addition-commutes") (lines out)) `shouldBe` 1

@@ -1,7 +1,7 @@
 {-# LANGUAGE OverloadedStrings #-}
 
--- | Processes and their pipes, by small shell scripts: what is read of them, what is said of how
--- they end, and which question is at fault where several wait for their replies.
+-- | Tests processes and their pipes on small shell scripts: what is read of their output, how their
+-- end is described, and which of several waiting questions is at fault.
 module Test.Conformance.Process.Output (spec, aloneSpec) where
 
 import Control.Concurrent (threadDelay)
@@ -31,12 +31,12 @@ import Test.Support (inFolder)
 spec :: Spec
 spec = do
   describe "a session" sessionSpec
-  describe "a process a request" oneShotSpec
+  describe "one process per request" oneShotSpec
   describe "what a process writes" outputSpec
 
 sessionSpec :: Spec
 sessionSpec = do
-  it "has the name, the operations and the batch of what was said at its start" $
+  it "a session takes its name, its operations and its batch size from the reply to start" $
     forM_ [(1, 64), (8, 64), (9, 72), (128, 1024), (5000, 1024)] $ \(flight, batch) -> do
       said <- session (adding flight "") $ \subject ->
         pure
@@ -44,12 +44,12 @@ sessionSpec = do
             (subjectOffers subject, subjectUnknown subject)
           )
       said `shouldBe` Right (("shell", batch), ([SomeOp Add, SomeOp Term], ["fly", "sit"]))
-  it "a question that ends the process is the one at fault, however many wait for replies" $
+  it "the question that ends the process is at fault, however many wait for replies" $
     forM_ [(flight, bad) | flight <- [1, 3, 8], bad <- [0, 2, 5]] $ \(flight, bad) -> do
       came <- session (adding flight (onceAsked bad "exit 3")) (`asked` map adds [0 .. 5])
       ((flight, bad), came)
         `shouldBe` ((flight, bad), Right (map sumOf [0 .. bad - 1] ++ [Left ended]))
-  it "what goes wrong at first is told of one question; of several what goes wrong of one alone" $
+  it "a first fault is reported for a single question; of several, each is asked alone again" $
     forM_ [(flight, count) | flight <- [1, 4], count <- [1, 2, 4]] $ \(flight, count) ->
       forM_ ["exit 4", "true"] $ \later ->
         inFolder $ \folder -> do
@@ -62,7 +62,7 @@ sessionSpec = do
             `shouldBe` ( (flight, count),
                          Right [Left ended {faultDetail = "it ended, with status " ++ status}]
                        )
-  it "after a fault the profile is in force that was put so last, if it was not refused" $
+  it "after a fault the last profile is put in force again, unless it was refused" $
     forM_ [([], False), ([1], True), ([0], False), ([1, 0], False), ([0, 1], True)] $
       \(profiles, inForce) -> do
         came <- session (adding 1 (onceAsked 3 "exit 3")) $ \subject -> do
@@ -77,7 +77,7 @@ sessionSpec = do
                 | i <- profiles
               ]
         (profiles, came) `shouldBe` (profiles, Right (put, sum', sum'))
-  it "a thousand lines and two where one is to come are output without end, fewer are not" $
+  it "1002 surplus lines count as output without end, and 1001 do not" $
     forM_
       [ ("x", NotJson),
         ("{}", NotAReply),
@@ -90,7 +90,7 @@ sessionSpec = do
           came <- session (adding flight (onceAsked 1 say)) (`asked` map adds [0, 1])
           ((line, flight, more), map (either faultKind (const TooSlow)) . drop 1 <$> came)
             `shouldBe` ((line, flight, more), Right [if more < 1002 then kind else EndlessOutput])
-  it "so they are at the start, and in the place of a profile's reply" $
+  it "1002 lines in place of the reply to start or to a profile are output without end, too" $
     forM_ [(1001, NotJson), (1002, EndlessOutput)] $ \(more, kind) -> do
       start <- session (shell (floodOf "x" more)) (const (pure ()))
       either faultKind (const TooSlow) start `shouldBe` kind
@@ -98,7 +98,7 @@ sessionSpec = do
         session (instead 1 ("*'\"profile\"'*) " ++ floodOf "x" more ++ " ;;") "") $ \subject ->
           subjectProfile subject canonicalProfile
       fmap (either faultKind (const TooSlow)) put `shouldBe` Right kind
-  it "as many are sent at once as it takes, each of which is asked alone if it ends then" $
+  it "a batch has as many questions as the process takes; if it ends, each is asked alone" $
     forM_ [2, 4] $ \flight -> inFolder $ \folder -> do
       let flag = folder </> "flag"
           others = concat (replicate (flight - 1) "read -r line; ")
@@ -109,12 +109,12 @@ sessionSpec = do
       came
         `shouldBe` Right
           (map sumOf [0 .. flight - 2] ++ [Left ended {faultDetail = "it ended, with status 4"}])
-  it "requests are numbered from 1 on, however many are asked together" $ do
+  it "requests are numbered from 1, however many are asked together" $ do
     came <- session (adding 3 "a=$n") $ \subject -> do
       _ <- subjectProfile subject canonicalProfile
       mapM (subjectAsk subject . map adds) [[9, 9], [9], [], [9, 9, 9, 9]]
     came `shouldBe` Right (map (map sumOf) [[1, 2], [3], [], [4 .. 7]])
-  it "a reply has the number of the first question without one" $
+  it "a reply must have the number of the first question without a reply" $
     forM_ ["-1", "0", "1", "2", "3", "none"] $ \number -> do
       let other =
             if number == "none"
@@ -135,7 +135,7 @@ sessionSpec = do
 
 oneShotSpec :: Spec
 oneShotSpec = do
-  it "offers what it does not skip" $ do
+  it "a process offers what it does not skip" $ do
     offers <-
       offeredOneShot
         (Limits 20 60)
@@ -148,7 +148,7 @@ oneShotSpec = do
         canonicalProfile
     offers `shouldBe` Right [o | o <- allOperations, o `notElem` [SomeOp Add, SomeOp Stitch]]
 
-  it "offers all others where it ends at some of them, and nothing where it cannot be started" $ do
+  it "a process that ends at an operation offers it; one that cannot be started offers nothing" $ do
     let script =
           "read -r line; case $line in *'\"add\"'*) exit 5 ;; \
           \*'\"pack\"'*) echo '{\"sequence\":1,\"skipped\":\"\"}' ;; \
@@ -157,7 +157,7 @@ oneShotSpec = do
     offers `shouldBe` Right [o | o <- allOperations, o /= SomeOp Pack]
     none <- offeredOneShot (Limits 20 60) (Command "./no-such-program" []) canonicalProfile
     none `shouldBe` Left (Fault CannotStart "there is no such program")
-  it "is asked with numbers from 1 on, which the replies have, and no more than one" $ do
+  it "a request has a number that its only reply repeats; a second reply is a fault" $ do
     let numbered = "n=${line##*:}; n=${n%?}; "
         reply number =
           "echo \"{\\\"sequence\\\":" ++ number ++ ",\\\"result\\\":" ++ number ++ "}\""
@@ -184,7 +184,7 @@ oneShotSpec = do
       let fixed = shell ("cat > /dev/null; " ++ sayFixed number)
       one <- oneShot (Limits 20 60) fixed canonicalProfile (Just (1, adds 1))
       either faultKind (const TooSlow) one `shouldBe` kind
-  it "has its time from the request on, for the reply and for its end together" $
+  it "one limit covers the time from the request through the reply to the process's end" $
     forM_ [(20, "result"), (2 * second, faultName DoesNotStop)] $ \(patience, came) -> do
       let sleep = "sleep " ++ show (1.2 * second)
           slow = shell ("cat > /dev/null; " ++ sleep ++ "; " ++ sayFixed 1 ++ "; exec " ++ sleep)
@@ -194,10 +194,10 @@ oneShotSpec = do
     second = byEffort 0.25 1 :: Double
     sayFixed number = "echo '{\"sequence\":" ++ show (number :: Int) ++ ",\"result\":0}'"
 
--- | What holds only while nothing else runs in this process.
+-- | Tests what holds only while nothing else runs in this process.
 aloneSpec :: Spec
 aloneSpec =
-  it "of a process that has ended none of its pipes is open" $ do
+  it "all pipes of a process are closed after it has ended" $ do
     let descriptors = length <$> listDirectory "/proc/self/fd"
     before' <- descriptors
     replicateM_ 9 (bracket (begin (Command "cat" [])) (mapM_ end) (const (pure ())))
@@ -205,7 +205,7 @@ aloneSpec =
 
 outputSpec :: Spec
 outputSpec = do
-  it "of a process group all are ended, whether its leader goes on or has ended" $
+  it "all processes of a group are ended, whether their leader still runs or has ended" $
     forM_ ["wait", "exit"] $ \then' -> do
       started <- child ("sleep 600 & echo $!; " ++ then') $ \running -> do
         line <- getMonotonicTime >>= nextLine running . (+ 20)
@@ -217,7 +217,7 @@ outputSpec = do
       ends <- endsWithin 20 (snd started)
       (then', fst started, ends)
         `shouldBe` (then', if then' == "exit" then Just ExitSuccess else Nothing, True)
-  it "is read line by line, up to a mebibyte each" $
+  it "output is read line by line, up to a mebibyte each" $
     forM_ [(0, 3), (1, 1), (32767, 2), (32768, 2), (longestLine - 1, 1), (longestLine, 1)] $
       \(size, count) -> do
         let one = "head -c " ++ show size ++ " /dev/zero | tr '\\0' a; echo; "
@@ -227,7 +227,7 @@ outputSpec = do
           pure (map said lines')
         let ls = replicate count ("line", size) ++ [("no more", 3)]
         (size, found) `shouldBe` (size, ls)
-  describe "is without end where it is more than sixteen mebibytes, though it has few lines" $
+  describe "more than sixteen mebibytes are output without end, even in few lines" $
     forM_
       ( [ ("zeros without end", "cat /dev/zero", EndlessOutput),
           ("sixteen mebibytes", zeros longestFlood, NotJson),
@@ -240,12 +240,12 @@ outputSpec = do
         fault <- child script $ \running -> flooded running 1 (Fault NotJson "detail")
         let more = if kind == EndlessOutput then "more output than was asked for: " else ""
         fault `shouldBe` Fault kind (more ++ "detail")
-  it "of which nobody can read on is no flood" $
+  it "a fault after which nobody can read on is never output without end" $
     forM_ (filter (`notElem` [NotJson, NotAReply, OutOfOrder, AnsweredTwice]) [minBound ..]) $
       \kind ->
         child "cat /dev/zero" (\running -> flooded running 1 (Fault kind "detail"))
           `shouldReturn` Fault kind "detail"
-  it "is told by its first hundred bytes where it goes on for more than that" $ do
+  it "a line that is too long is shown by its first hundred bytes" $ do
     let text' = take 200 (cycle ['a' .. 'z'])
     found <- child ("printf '%s' " ++ text' ++ "; " ++ zeros (longestLine - 199)) $ \running -> do
       line <- getMonotonicTime >>= nextLine running . (+ 20)
@@ -253,7 +253,7 @@ outputSpec = do
         Oversized bytes -> Just bytes
         _ -> Nothing
     found `shouldBe` Just (Bytes.pack (take 100 text'))
-  it "is no line beyond a mebibyte, even if its end has come" $
+  it "a line of more than a mebibyte is too long, even if its end has been read" $
     forM_ [(longestLine, "line"), (longestLine + 1, "oversized")] $ \(size, what) ->
       inFolder $ \folder -> do
         let file = folder </> "line"
@@ -261,54 +261,54 @@ outputSpec = do
         found <- child ("cat " ++ file) $ \running ->
           getMonotonicTime >>= nextLine running . (+ 20)
         (size, fst (said found)) `shouldBe` (size, what)
-  it "and nobody asked for is counted, in lines and bytes, up to a number of lines" $
+  it "surplus output is counted in lines and bytes, up to a number of lines" $
     forM_ [1, 4, 5, 6, 100] $ \most -> do
       flood <- child "printf 'ab\\nc\\n\\n\\ndef\\ngh'" $ \running -> do
         _ <- waitExit running 1e9
         drain running 0.2 5 most
       (most, floodLines flood, floodBytes flood) `shouldBe` (most, 5, 13)
-  it "and nobody asked for is read for a time, even if it goes on" $ do
+  it "surplus output is read for a limited time, even if it goes on" $ do
     read' <- child fewWithoutEnd (\running -> timeout 10000000 (drain running 20 0.3 5))
     floodLines <$> read' `shouldBe` Just 0
-  describe "is no line in time, of which is told" $
+  describe "if no line comes in time, the report says what came instead" $
     forM_
-      [ ( "a part",
+      [ ( "a part of a line",
           "printf ab; sleep 20",
           Fault HalfLine "no end of the line within 0.5 seconds: ab"
         ),
         ("nothing", "sleep 20", Fault TimedOut "no reply within 0.5 seconds"),
-        ( "that the input is closed",
+        ( "a closed input",
           "exec <&-; sleep 20",
           Fault ClosedPipe "it closed its standard input and did not answer"
         ),
-        ("an end", "printf ab", Fault HalfLine "its output ends within a line: ab"),
+        ("an end within a line", "printf ab", Fault HalfLine "its output ends within a line: ab"),
         ("an end without a word", "exit 0", Fault Crashed "it ended, with status 0"),
-        ("a violent one", "kill -9 $$", Fault Crashed "it was ended by signal 9"),
-        ( "one with a word",
+        ("an end by a signal", "kill -9 $$", Fault Crashed "it was ended by signal 9"),
+        ( "an end with a word",
           "echo sorry >&2; exit 2",
           Fault Crashed "it ended, with status 2; on its standard error: sorry"
         )
       ]
       $ \(what, script, fault) ->
         it what $ child script (`awaitLine` 0.5) `shouldReturn` Left fault
-  it "is too long beyond a mebibyte, though it ends" $ do
+  it "a line of several mebibytes is reported as too long, though it ends" $ do
     let letters = "head -c " ++ show (3 * longestLine) ++ " /dev/zero | tr '\\0' a; echo"
     child letters (`awaitLine` 20)
       `shouldReturn` Left
         (Fault LineTooLong ("a line of more than 1 MiB: " ++ replicate 100 'a' ++ " ..."))
-  it "is without end where sixteen mebibytes more come of it, in whatever time" $
+  it "a long line that goes on for sixteen mebibytes more is output without end, however slow" $
     forM_ [(0, LineTooLong), (longestFlood, EndlessOutput)] $ \(more, kind) -> do
       found <-
         child (zeros (longestLine + 1) ++ "; sleep 0.4; " ++ zeros (more + 1)) (`awaitLine` 20)
       (more, either faultKind (const TooSlow) found) `shouldBe` (more, kind)
-  it "is not waited for beyond a time" $ do
+  it "a line and an end are waited for only until the limit" $ do
     found <- child "printf ab; sleep 20" $ \running -> do
       now <- getMonotonicTime
       first <- nextLine running (now + 0.1)
       code <- waitExit running now
       pure (said first, code)
     found `shouldBe` (("unfinished", 2), Nothing)
-  it "to its standard error is kept to 4 KiB" $
+  it "the last 4 KiB of standard error are kept" $
     forM_ [0, 1, 4095, 4096, 4097, 100000] $ \size -> do
       let written = take size (cycle ['a' .. 'z'])
       found <- child ("printf '%s' " ++ written ++ " >&2") $ \running -> do
@@ -316,7 +316,7 @@ outputSpec = do
         _ <- withErrors running (Fault Crashed "")
         (,) code <$> errorsTail running
       found `shouldBe` (Just ExitSuccess, Bytes.pack (drop (size - 4096) written))
-  it "to its standard error is told where it arrives after the end, if it ends soon" $ do
+  it "standard error that arrives soon after the end is reported, too" $ do
     found <- child "(sleep 0.05; printf late >&2) & exit 3" $ \running -> do
       code <- waitExit running 1e9
       (,) code . faultDetail <$> withErrors running (Fault Crashed "it")
@@ -325,7 +325,7 @@ outputSpec = do
       _ <- waitExit running 1e9
       faultDetail <$> withErrors running (Fault Crashed "it")
     held `shouldBe` "it; on its standard error: one"
-  it "to its standard error is told with a fault: the last 300 characters, no blanks at the end" $
+  it "a fault quotes the last 300 characters of standard error, without blanks at the end" $
     forM_
       [ ("", ""),
         (" \n", ""),
@@ -345,7 +345,7 @@ outputSpec = do
                     ++ (if null told then "" else "; on its standard error: " ++ told)
                 )
             )
-  it "and how it ends, in words" $ do
+  it "the end of a process is described in words" $ do
     map exitText [ExitSuccess, ExitFailure 1, ExitFailure 255, ExitFailure (-1), ExitFailure (-9)]
       `shouldBe` ["it ended, with status 0", "it ended, with status 1", "it ended, with status 255"]
         ++ ["it was ended by signal 1", "it was ended by signal 9"]
@@ -367,19 +367,20 @@ session = withProcess InSession (Limits 20 60)
 shell :: String -> Command
 shell script = Command "sh" ["-c", script]
 
--- | A line and so many more, written at once, so that a busy machine cannot part them.
+-- | A shell command that writes a line and this many more at once, so that a busy machine cannot
+-- separate them.
 floodOf :: String -> Int -> String
 floodOf line more = "echo '" ++ line ++ concat (replicate more "\nx") ++ "'; exit"
 
--- | Under a profile.
+-- | The answers to questions under a profile that was put in force.
 asked :: Subject -> [SomeQuestion] -> IO [Either Fault Response]
 asked subject questions = subjectProfile subject (profileOf 1) >> subjectAsk subject questions
 
--- | One that is put in force, and one, of 0, that is refused.
+-- | A profile that can be put in force; for 0 one that is refused.
 profileOf :: Int -> Profile
 profileOf i = if i == 0 then canonicalProfile {profileOrder = 6} else canonicalProfile
 
--- | Whether a process of this number ends, or is only to be waited for, within so many seconds.
+-- | Whether the process of this number ends, or is only to be waited for, within this many seconds.
 endsWithin :: Double -> String -> IO Bool
 endsWithin seconds number = getMonotonicTime >>= go . (+ seconds)
   where
@@ -398,11 +399,12 @@ child :: String -> (Child -> IO a) -> IO a
 child script use =
   bracket (begin (shell script)) (mapM_ end) (either fail use)
 
--- | It takes so many requests at once, answers @a + b@ as @a@, and does something else first.
+-- | A subject that takes this many requests at once, answers @a + b@ with @a@, and first runs this
+-- command.
 adding :: Int -> String -> Command
 adding flight = instead flight ""
 
--- | The same with another case of requests before all others but the start.
+-- | 'adding' with one more case of requests, tried before all others but the start.
 instead :: Int -> String -> String -> Command
 instead flight before' first =
   shell . unlines $
@@ -422,11 +424,11 @@ instead flight before' first =
       "done"
     ]
 
--- | So many bytes of value zero.
+-- | A command that writes this many bytes of value zero.
 zeros :: Int -> String
 zeros count = "head -c " ++ show count ++ " /dev/zero"
 
--- | Where @a@ is that number.
+-- | A shell command that runs this action on requests whose @a@ is this number.
 onceAsked :: Int -> String -> String
 onceAsked a action = "if [ $a = " ++ show a ++ " ]; then " ++ action ++ "; fi"
 

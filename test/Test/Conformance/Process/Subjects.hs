@@ -1,6 +1,6 @@
 {-# LANGUAGE OverloadedStrings #-}
 
--- | Running @conform@ on the small subjects in @test/subjects@, and reading its report.
+-- | Runs @conform@ on the small subjects in @test/subjects@ and reads its report.
 module Test.Conformance.Process.Subjects
   ( -- * Running
     conform,
@@ -26,12 +26,12 @@ import System.Directory (findExecutables)
 import System.IO (IOMode (..), withBinaryFile)
 import Test.CommandLine.Run
 
--- | @conform@ with these options on this command.
+-- | Runs @conform@ with these options on this command.
 conform :: [String] -> [String] -> IO Outcome
 conform options subject = praAlone ("conform" : options ++ "--" : subject)
 
--- | @conform@ on a subject that adds, with a fault, in a session, under the paper's profile; only
--- what concerns it is tried.
+-- | Runs @conform@ in a session on an adder with this fault, under the paper's profile. It tries
+-- only the laws that concern adding.
 adder :: [String] -> [String] -> IO Outcome
 adder options arguments =
   python ("test/subjects/faulty.py" : arguments)
@@ -39,15 +39,15 @@ adder options arguments =
   where
     tried = "--run field/addition-as-defined --run protocol/none-in-force --run protocol/ends-*"
 
--- | The same with a process a request.
+-- | Runs @conform@ with a process per request on an adder with this fault.
 once :: [String] -> [String] -> IO Outcome
 once options arguments =
   python ("test/subjects/once.py" : arguments)
     >>= conform
       (words "--one-shot --run field/addition-as-defined --profile" ++ paperFile : options)
 
--- | The command that runs this in Python: the interpreter itself, as what is called python3 may be
--- a script that takes longer than the interpreter to start.
+-- | The command of a subject in Python. It names the interpreter itself, because what is called
+-- python3 may be a script that starts more slowly.
 python :: [String] -> IO [String]
 python arguments = do
   found <- findExecutables "python3" >>= filterM (fmap (/= "#!") . beginning)
@@ -55,8 +55,8 @@ python arguments = do
   where
     beginning file = withBinaryFile file ReadMode (`Bytes.hGet` 2)
 
--- | The paper's profile. Where no profile is named, the definition prepares all default ones first,
--- which takes most of a second.
+-- | The paper's profile. Without a profile the definition first prepares all default ones, which
+-- takes most of a second.
 paperFile :: FilePath
 paperFile = "examples/adapter/paper.json"
 
@@ -72,7 +72,7 @@ faults = concatMap (textAt ["counterexample", "got", "fault"]) . lawsIn
 tokens :: String -> [String]
 tokens = concatMap (textAt ["counterexample", "token"]) . lawsIn
 
--- | What a report has under a key.
+-- | The value of a key in a report.
 reported :: Key -> String -> Maybe Value
 reported name = key [name]
 

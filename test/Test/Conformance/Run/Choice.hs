@@ -1,4 +1,4 @@
--- | What the runner tries of a suite: which laws, under which profiles, in which order.
+-- | Tests which laws of a suite the runner tries, under which profiles and in which order.
 module Test.Conformance.Run.Choice (spec) where
 
 import Control.Monad (forM_)
@@ -14,7 +14,7 @@ import Test.Hspec
 
 spec :: Spec
 spec = do
-  it "laws of profiles, those of the code under each profile that has an array, then touch" $ do
+  it "the order is: laws of profiles, laws of the code under each profile with an array, touch" $ do
     let works = workOf everything codeAndTouch suite
     [(workId work, fst <$> workProfile work, workLeftOut work) | work <- works]
       `shouldBe` [ ("profile/opens", Nothing, Nothing),
@@ -37,7 +37,7 @@ spec = do
                          ],
                        stage `elem` stages
                    ]
-  it "what is chosen by stage and by pattern; what is skipped, or not offered, says so" $ do
+  it "laws are chosen by stage and pattern; those left out or not offered give the reason" $ do
     let ids settings = nub (map workId (workOf settings codeAndTouch suite))
         left settings offers =
           nub
@@ -62,7 +62,7 @@ spec = do
                    ("sequence/terms", "not offered: term terms"),
                    ("segment/none", "not offered: segment")
                  ]
-  it "all is chosen where no law is named, and of code, touch and objects all stages or none" $
+  it "a run is complete if no law is named and each of code, touch, objects is whole or left out" $
     forM_ stageChoices $ \stages ->
       forM_ [([], []), (["field/*"], []), ([], ["field/*"])] $ \(run, skip) -> do
         let settings =
@@ -77,17 +77,17 @@ spec = do
           `shouldBe` [o | o <- codeOperations, any (`elem` codeStages) tried]
             ++ [o | o <- operationsOf touchStages, any (`elem` touchStages) tried]
             ++ [o | o <- operationsOf objectStages, any (`elem` objectStages) tried]
-  it "unless they are told, 100 cases of each law are drawn from the seed 1, in 300 seconds" $ do
+  it "by default each law has 100 cases, drawn from seed 1, and the run has 300 seconds" $ do
     let settings = standardSettings
     (settingSeed settings, settingCases settings, settingLimit settings) `shouldBe` (1, 100, 300)
     (settingStages settings, settingFailFast settings, settingSkipMustFail settings)
       `shouldBe` ([], False, False)
     concatMap ($ settings) [settingRun, settingSkip, settingKnown] `shouldBe` []
-  it "laws must fail that are known to, and those that are skipped if that is said" $ do
+  it "known failures must fail, and so must skipped laws if that is requested" $ do
     let settings = standardSettings {settingKnown = ["a"], settingSkip = ["b", "c"]}
     mustFail settings `shouldBe` ["a"]
     mustFail settings {settingSkipMustFail = True} `shouldBe` ["a", "b", "c"]
-  it "a token's law is found under its profile, which has its name if the suite knows it" $ do
+  it "a token's law is found under its profile, by the profile's name if the suite knows it" $ do
     let found name profile = do
           work <- workFor suite (Token name profile Null)
           pure (workId work, fst <$> workProfile work, snd <$> workProfile work)
@@ -105,7 +105,7 @@ spec = do
 stageSets :: [[Stage]]
 stageSets = [codeStages, touchStages, objectStages]
 
--- | No stage, single ones, some, and all.
+-- | No stage, single stages, some, and all.
 stageChoices :: [[Stage]]
 stageChoices =
   map concat (subsequences stageSets)

@@ -1,7 +1,7 @@
 {-# LANGUAGE OverloadedStrings #-}
 
--- | What the runner reports of laws that fail and err: what was asked, what came, and why that is
--- no answer.
+-- | Tests what the runner reports of laws that fail or are errored: what was asked, what came, and
+-- why it is no answer.
 module Test.Conformance.Run.Counterexamples (spec) where
 
 import Control.Monad (forM_)
@@ -18,7 +18,7 @@ import Test.Hspec
 
 spec :: Spec
 spec = do
-  it "of each thing that is no answer: whether the law failed or erred, what came, and why" $
+  it "for each failure to answer, the report says if the law failed or erred, what came, and why" $
     forM_ noAnswers $ \(came, outcome, got, why) -> do
       report <- tried "field/sums" (answeringAt came)
       [law] <- pure (reportLaws report)
@@ -35,7 +35,7 @@ spec = do
       (lawReportCases law, lawReportExhaustive law, counterShrinks shown) `shouldBe` (2, True, 0)
       fmap readToken (counterToken shown)
         `shouldBe` Just (Just (Token "field/sums" (Just one) (toJSON (2 :: Int))))
-  it "of a wrong answer: all that was asked, and what should have come" $ do
+  it "for a wrong answer, the report has all that was asked and what should have come" $ do
     report <- tried "field/sums" (answeringAt (result 7))
     [law] <- pure (reportLaws report)
     lawReportOutcome law `shouldBe` Failed
@@ -47,7 +47,7 @@ spec = do
     (counterGot shown, counterExpected shown)
       `shouldBe` (result 7, Just (ResponseResult (toJSON (0 :: Int))))
     (counterRoad shown, counterReason shown) `shouldBe` ("a road", "a reason")
-  it "of a profile that is not put in force: the law erred; it is asked once for all its laws" $
+  it "a profile that cannot be put in force is requested once, and all its laws are errored" $
     forM_ (Left gone : map Right [ResponseRefused "no", ResponseResult (Bool False)]) $ \came -> do
       asked <- newIORef []
       let base = answering allZero
@@ -63,7 +63,7 @@ spec = do
               }
           ]
       profiles <- readIORef asked
-      -- The law of profiles opens one; then each once.
+      -- The law of profiles opens one; then each profile is opened once.
       reverse profiles `shouldBe` [two, one, two]
       let under = [law | law <- reportLaws report, lawReportProfile law == Just "two"]
           shown = [c | law <- under, Just c <- [lawReportCounterexample law]]
@@ -73,14 +73,14 @@ spec = do
       map counterGot shown `shouldBe` replicate 2 came
       map counterExpected shown `shouldBe` replicate 2 (Just (ResponseResult (Bool True)))
       map counterToken shown `shouldBe` replicate 2 Nothing
-  it "of a law of profiles: the profile that was asked for, and nothing expected of a fault" $ do
+  it "a law of profiles reports the profile it requested, and after a fault expects nothing" $ do
     let base = answering allZero
     report <- tried "profile/opens" base {subjectProfile = \_ -> pure (Left gone)}
     [law] <- pure (reportLaws report)
     Just shown <- pure (lawReportCounterexample law)
     (counterRequests shown, counterExpected shown) `shouldBe` ([profileRequest two], Nothing)
     (lawReportOutcome law, lawReportProfile law) `shouldBe` (Errored, Nothing)
-  it "of a law without cases: skipped, and why" $ do
+  it "a law without cases is skipped, with the reason" $ do
     report <- tried "sequence/terms" (answering allZero)
     [law] <- pure (reportLaws report)
     (lawReportOutcome law, lawReportNote law, lawReportCases law, lawReportExhaustive law)

@@ -1,8 +1,8 @@
 {-# LANGUAGE GADTs #-}
 {-# LANGUAGE OverloadedStrings #-}
 
--- | The runner on laws made for it: what it finds does not depend on how many trials go on at once,
--- counterexamples are the first or the smallest, and tokens say all.
+-- | Tests the runner on laws made for it: its findings do not depend on how many trials run at
+-- once, counterexamples are the first or the smallest, and tokens hold all that a replay needs.
 module Test.Conformance.Run.Search (spec) where
 
 import Control.Monad (forM, forM_, replicateM)
@@ -30,14 +30,14 @@ import qualified Test.QuickCheck as QuickCheck
 
 spec :: Spec
 spec = do
-  it "of a whole domain, the first failing case, however many trials go on at once" $ do
+  it "an exhaustive law reports its first failing case, however many trials run at once" $ do
     found <- forM [1, 2, 7, 64] $ \window -> tried window (everyPairOf judged)
     map summary found `shouldBe` replicate 4 (Just (toJSON [3, 7 :: Natural], 0), 38)
-  it "of drawn cases, one that no step makes smaller, however many trials go on at once" $ do
+  it "a drawn law reports a case that no step makes smaller, however many trials run at once" $ do
     found <- forM [1, 2, 7, 64] $ \window -> tried window drawnPair
     map (fmap failureCase . triedFailure) found
       `shouldBe` replicate 4 (Just (toJSON [3, 7 :: Natural]))
-  it "in steps of one, too, of which there are many more than fifty" $ do
+  it "a case is made smaller in steps of one, even if that takes more than fifty" $ do
     let slowly (a, b) = [(a - 1, b) | a > 0] ++ [(a, b - 1) | b > 0]
     found <- forM [1, 7, 64] $ \window ->
       tried window (Cases pair (Some (QuickCheck.elements [(60, 61), (40, 99)]) slowly) judged)
@@ -46,13 +46,13 @@ spec = do
       Just case' <- pure (failureCase <$> triedFailure one)
       Right least <- pure (readValue pair case')
       (least, filter failing (slowly least)) `shouldSatisfy` \(a, less) -> failing a && null less
-  it "cases of which the law says nothing do not count" $ do
+  it "cases to which a law does not apply are not counted" $ do
     found <- tried 7 (everyPairOf (const (pure Inapplicable)))
     summary found `shouldBe` (Nothing, 0)
-  it "drawn ones of which the law says nothing are made good by others" $ do
+  it "drawn cases to which the law does not apply are replaced by others" $ do
     found <- tried 7 (Cases pair (Some draws (const [])) halfMeant)
     triedCases found `shouldBe` 50
-  it "a token is read as it was written, with any profile" $ do
+  it "readToken (writeToken token) = Just token, with any profile or none" $ do
     let other = canonicalProfile {profileShape = Shape 3 85}
         token = Token "field/some" (Just other) (toJSON [1 :: Int])
         alone = token {tokenProfile = Nothing}
@@ -60,10 +60,10 @@ spec = do
     readToken (writeToken alone) `shouldBe` Just alone
     map readToken ["", "abc", take 20 (writeToken token), writeToken token ++ "/"]
       `shouldBe` replicate 4 Nothing
-    -- Characters whose last eight bits are those of what may stand there.
+    -- Characters that equal valid ones in their last eight bits.
     let movedBy by = map (toEnum . (+ by) . fromEnum) (writeToken alone)
     map (readToken . movedBy) [256, 512, 1024] `shouldBe` replicate 3 Nothing
-  it "a token is of version 1, and its profile a row of ten values" $ do
+  it "a token has version 1, and its profile is a list of ten values" $ do
     Object keys <- pure (profileValue canonicalProfile)
     let whole =
           [ Lazy.unpack (encode value)
@@ -84,14 +84,14 @@ spec = do
     map token [drop 1 (with "null"), init (with "null"), with "null" ++ ["0"], with "{}", with "1"]
       `shouldBe` replicate 5 Nothing
     map (\n -> token (n : drop 1 (with "null"))) ["0", "2", "\"1\""] `shouldBe` replicate 3 Nothing
-  it "patterns are of the whole id with * or ?, of a part of it without" $
+  it "a pattern with * or ? matches the whole id; one without matches any part of it" $
     map
       (`matches` "field/addition-commutes")
       ["field/*", "*commute", "commutes", "field/?ddition-*", ""]
       `shouldBe` [True, False, True, True, True]
-  it "in a pattern * is any text, ? any character, and every other one itself" $ do
+  it "in a pattern * matches any text, ? any character, and every other character itself" $ do
     let texts alphabet = concat [replicateM n alphabet | n <- [0 .. 4]]
-        -- What may stand before the end of the pattern's characters so far.
+        -- The lengths of text that the pattern's characters so far can match.
         reached name = foldl (further name) [0]
         further name starts c =
           nub $
@@ -121,7 +121,8 @@ base64 = concatMap digits . groups
        in [alphabet !! (n `div` d `mod` 64) | d <- take (length three + 1) [262144, 4096, 64, 1]]
     alphabet = ['A' .. 'Z'] ++ ['a' .. 'z'] ++ ['0' .. '9'] ++ "-_"
 
--- | Wrong where a < b and the terms at both are 1, by two questions, one after the other.
+-- | A law that fails where a < b and the terms at both are 1. It asks two questions, one after the
+-- other.
 judged :: (Natural, Natural) -> Ask Verdict
 judged (a, b) = do
   first <- ask (Terms :? (a, 1))
@@ -131,7 +132,7 @@ judged (a, b) = do
       then Violated (Violation [] (Result (toJSON ())) "" "")
       else Holds
 
--- | The same said of the implementation's sequence.
+-- | Whether the law fails, by the implementation's sequence itself.
 failing :: (Natural, Natural) -> Bool
 failing (a, b) = a < b && all (\i -> i == 3 || i >= 7) [a, b]
 
@@ -155,7 +156,7 @@ draws = (,) <$> drawn <*> drawn
 pair :: Codec (Natural, Natural)
 pair = pairOf natural
 
--- | On an implementation whose sequence is 1 at 3 and from 7 on, and 0 elsewhere.
+-- | Runs a law on an implementation whose sequence is 1 at 3 and from 7 on, and 0 elsewhere.
 tried :: Int -> Cases -> IO Tried
 tried window cases = do
   subject <- inProcess steps

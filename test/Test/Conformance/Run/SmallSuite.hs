@@ -1,6 +1,6 @@
 {-# LANGUAGE OverloadedStrings #-}
 
--- | A suite made to try the runner with, and subjects that answer as they are told.
+-- | A suite for trying the runner, and subjects that answer as instructed.
 module Test.Conformance.Run.SmallSuite
   ( -- * The suite
     suite,
@@ -35,7 +35,8 @@ import PraTactile.Format.Json.Codec (natural)
 import PraTactile.Format.Profile (profileCodec)
 import PraTactile.Profile
 
--- | Three laws of which one says nothing, and one of touch.
+-- | Laws of profiles, of the code and of touch: one of each, and one of the code that never
+-- applies.
 suite :: Suite Profile
 suite =
   Suite
@@ -62,7 +63,7 @@ suite =
 made :: (String, Stage, [SomeOp]) -> Cases -> Law about
 made (name, stage, needs) cases = Law name stage needs "sentence" "source" (const cases)
 
--- | Of one number two sums, which must be 0.
+-- | Two sums for one number; both must be 0.
 sums :: Natural -> Ask Verdict
 sums n = do
   first <- ask (Add :? (0, n))
@@ -97,7 +98,7 @@ codeAndTouch = [SomeOp Terms, SomeOp Add, SomeOp Segment, SomeOp Term]
 everything :: Settings
 everything = standardSettings {settingStages = codeStages ++ touchStages, settingCases = 20}
 
--- | A subject that answers so.
+-- | A subject that gives these answers.
 answering :: (SomeQuestion -> Either Fault Response) -> Subject
 answering reply =
   Subject
@@ -111,7 +112,7 @@ answering reply =
       subjectChecks = []
     }
 
--- | What the laws want to hear.
+-- | The answers with which all laws hold.
 allZero :: SomeQuestion -> Either Fault Response
 allZero _ = result 0
 

@@ -1,8 +1,8 @@
 {-# LANGUAGE GADTs #-}
 {-# LANGUAGE OverloadedStrings #-}
 
--- | Whole runs on a suite made for them: their reports, their time and what is known to fail; and
--- how cases are drawn, asked and made smaller.
+-- | Tests whole runs on a suite made for them: reports, time limits and known failures; and how
+-- cases are drawn, asked and made smaller.
 module Test.Conformance.Run.Whole (spec) where
 
 import Control.Concurrent (threadDelay)
@@ -35,7 +35,7 @@ spec = do
 
 runSpec :: Spec
 runSpec = do
-  it "has all that was chosen in its report, in order, and tells each as it is tried" $
+  it "reports all that was chosen, in order, and announces each law as it is tried" $
     forM_ [1, 2, 3, 7] $ \workers -> do
       telling <- newIORef []
       start <- getMonotonicTime
@@ -69,7 +69,7 @@ runSpec = do
         (\law -> (lawReportCases law, lawReportExhaustive law))
         (filter ((== Held) . lawReportOutcome) (reportLaws report))
         `shouldBe` [(2, True), (2, True), (20, False), (1, True)]
-  it "asks for the operations of its stages, and counts those that are offered of them" $
+  it "asks for the operations of its stages, and counts how many of them are offered" $
     forM_
       [ ([OnSequence], codeOperations, [SomeOp Terms, SomeOp Add, SomeOp Term]),
         ([OnSegment], operationsOf touchStages, [SomeOp Segment])
@@ -78,7 +78,7 @@ runSpec = do
         report <-
           runSuite everything {settingStages = stages} suite (const (pure ())) [answering allZero]
         (reportAsks report, reportOffers report) `shouldBe` (asks, offers)
-  it "ends at the first failure, if that is asked for" $
+  it "ends at the first failure, if that is requested" $
     forM_ [False, True] $ \failFast -> do
       let subject =
             (answering (const (result 9))) {subjectChecks = [checked "protocol/a" CheckHeld]}
@@ -102,7 +102,7 @@ runSpec = do
                 ("segment/none", Held, Nothing),
                 ("protocol/a", Held, Nothing)
               ]
-  it "after a timeout or crash the operation is not asked again, unless that is known" $
+  it "never asks an operation again after its timeout or crash, unless that failure is known" $
     forM_ [(kind, known) | kind <- [Crashed, TimedOut], known <- [[], ["*"]]] $ \(kind, known) -> do
       asked <- newIORef (0 :: Int)
       let asks (name, operation, question) =
@@ -133,7 +133,7 @@ runSpec = do
                      | null known,
                        name <- ["add", "term"]
                    ]
-  it "makes a law's first failing case smaller, and leaves those under other profiles" $ do
+  it "makes only the first failing case of a law smaller, not those under other profiles" $ do
     report <-
       runSuite
         everything {settingRun = ["field/sums"]}
@@ -147,7 +147,7 @@ runSpec = do
         (const (pure ()))
         [answering (const (result 9))]
     map counterShrinks (mapMaybe lawReportCounterexample (reportLaws report)) `shouldBe` [6, 0]
-  it "asks a fresh process for a failing case, and says whether that answers rightly" $
+  it "asks a fresh process for a failing case, and reports whether its answer is right" $
     forM_ [(True, Nothing), (False, Just ())] $ \(remembers, token) -> do
       asked <- newIORef (0 :: Int)
       let subject =
@@ -162,7 +162,7 @@ runSpec = do
       report <- runSuite everything {settingRun = ["sums"]} onlyOne (const (pure ())) [subject]
       [shown] <- pure (mapMaybe lawReportCounterexample (reportLaws report))
       (counterDepends shown, () <$ counterToken shown) `shouldBe` (remembers, token)
-  it "the law of the order says nothing of an answer that is wrong whatever was asked before" $
+  it "skips the law of order if an answer is wrong whatever was asked before" $
     forM_ [(True, Failed, Nothing), (False, Skipped, Just notJudged)] $
       \(remembers, outcome, note) -> do
         asked <- newIORef (0 :: Int)
@@ -197,13 +197,13 @@ runSpec = do
             [subject]
         [(lawReportOutcome one', lawReportNote one') | one' <- reportLaws report]
           `shouldBe` [(outcome, note)]
-  it "ends at no failure that there is not: what comes last is tried" $ do
+  it "ends early only at a failure: without one, the last law is tried" $ do
     let subject = (answering allZero) {subjectChecks = [checked "protocol/a" CheckHeld]}
     report <-
       runSuite everything {settingFailFast = True} suite (const (pure ())) [subject]
     map lawReportOutcome (reportLaws report)
       `shouldBe` [Held, Held, Skipped, Held, Skipped, Held, Held]
-  it "without time left everything is too slow, but for what is left out" $
+  it "reports everything as too slow without time left, except laws that are left out" $
     forM_ [0, -1] $ \limit -> do
       let subject = (answering allZero) {subjectChecks = [checked "protocol/a" CheckHeld]}
       report <-
@@ -221,7 +221,7 @@ runSpec = do
           ( Left (Fault TooSlow "the time for all of it was over"),
             "--limit is the time for all laws together"
           )
-  it "a law that takes longer than there is time is too slow, and those after it" $ do
+  it "reports a law that exceeds the time, and those after it, as too slow" $ do
     let subject = (answering allZero) {subjectAsk = \_ -> forever (threadDelay 1000)}
     report <-
       runSuite
@@ -233,7 +233,7 @@ runSpec = do
     let enough = everything {settingLimit = 0.9, settingRun = ["segment/*"]}
     quick <- runSuite enough suite (const (pure ())) [answering allZero]
     map lawReportOutcome (reportLaws quick) `shouldBe` [Held]
-  it "failures that are known are none; one that is said to fail and holds is unexpected" $ do
+  it "accepts known failures; a law that is listed as failing and holds is unexpected" $ do
     let failing = answering (const (result 9))
         run settings subject = do
           report <- runSuite settings suite (const (pure ())) [subject]
@@ -246,10 +246,10 @@ runSpec = do
     run known' (answering allZero) `shouldReturn` ([Held], ["field/*"])
     run skipped' failing `shouldReturn` ([KnownFailure], ["opens"])
     run skipped' {settingSkipMustFail = False} failing `shouldReturn` ([Skipped], [])
-    -- Of this none was tried that could have held.
+    -- None of these laws that could have held was tried.
     run everything {settingKnown = ["sequence/*"]} failing `shouldReturn` ([Failed], [])
     run known' (answering (const (Left (Fault Crashed "")))) `shouldReturn` ([KnownFailure], [])
-  it "checks of the protocol are chosen like laws, and say what came of them" $ do
+  it "chooses checks of the protocol like laws, and reports their outcome" $ do
     let requests = [toJSON (1 :: Int)]
         subject =
           (answering allZero)
@@ -291,7 +291,7 @@ runSpec = do
                      "sentence of protocol/c"
                    )
                  ]
-  it "a token's case is tried again alone" $ do
+  it "replays the case of a token alone" $ do
     let again token = replay everything {settingSeed = 3} suite token
         case' n = Token "field/sums" (Just one) (toJSON (n :: Int))
         wrong = answering (\asked -> if asked `is` (Add :? (1, 2)) then result 7 else allZero asked)
@@ -324,7 +324,7 @@ runSpec = do
   where
     notJudged = "not judged: an answer is wrong whatever was asked before"
 
--- | The number of a question about a term.
+-- | The index in a question about a term.
 termOf :: SomeQuestion -> Maybe Natural
 termOf (SomeQuestion question) = case question of
   Term :? n -> Just n
@@ -335,7 +335,7 @@ asksTerm = fmap (const Holds) . ask . (Term :?)
 
 caseSpec :: Spec
 caseSpec = do
-  it "are made smaller, unless each would take as long again" $
+  it "are made smaller, unless each step would take as long again" $
     forM_ [minBound ..] $ \kind -> do
       let numbers = Cases natural (Some (pure 9) (\n -> [n - 1 | n > 0])) (judge' . (Term :?))
           judge' question = Holds <$ ask question
@@ -344,8 +344,8 @@ caseSpec = do
       let slow = kind `elem` [TimedOut, HalfLine, EndlessOutput]
       (kind, (\f -> (failureCase f, failureShrinks f)) <$> triedFailure came)
         `shouldBe` (kind, Just (if slow then (toJSON (9 :: Int), 0) else (toJSON (0 :: Int), 9)))
-  it "are as many as are wanted, though the law says nothing of all that are drawn first" $ do
-    -- Sizes are 0, 10, 20 to 100, then 9, 19, 29 and on.
+  it "are as many as requested, even if the law does not apply to the first ones drawn" $ do
+    -- Sizes are 0, 10, 20 to 100, then 9, 19, 29 and so on.
     let says n = if n `mod` 10 == 0 then Inapplicable else Holds
         cases gen = Cases natural (Some gen (const [])) (pure . says)
     later <-
@@ -357,7 +357,7 @@ caseSpec = do
     (triedCases later, triedExhaustive later) `shouldBe` (10, False)
     never <- tryLaw (Plan 1 10 4 True) (answering allZero) "law" (cases (pure 20))
     triedCases never `shouldBe` 0
-  it "as many are asked at once as a subject takes, and of those that open profiles one" $
+  it "are asked as many at once as a subject takes; those that open profiles one by one" $
     forM_ [(5, [5, 5, 2]), (12, [12]), (64, [12]), (1, replicate 12 1)] $ \(batch, lengths) -> do
       counts <- newIORef []
       let base = answering allZero
@@ -374,7 +374,7 @@ caseSpec = do
             reverse <$> readIORef counts
       run alone {suiteLaws = [twelve OnSequence]} `shouldReturn` lengths
       run alone {suiteWithoutProfile = [twelve OnSegment]} `shouldReturn` replicate 12 1
-  it "are drawn in sizes that grow to 100, ten times as many as are needed, by seed and name" $ do
+  it "are drawn in sizes up to 100, up to ten times as many as needed, by seed and name" $ do
     forM_ [1, 2, 7, 100, 101] $ \count ->
       asksOf (Plan 1 count 1 True) "law" (sized (pure . fromIntegral))
         `shouldBe` ( count,
@@ -386,7 +386,7 @@ caseSpec = do
     length (nub of') `shouldBe` 6
     draws 1 "law" `shouldBe` draws 1 "law"
   where
-    -- How many are judged, and the numbers that all are of.
+    -- The number that are judged, and the numbers of all of them.
     asksOf plan name gen =
       let (trials, most) =
             trialsOf plan name (Cases natural (Some gen (const [])) asksTerm)

@@ -1,7 +1,7 @@
 {-# LANGUAGE OverloadedStrings #-}
 
--- | Lines of the protocol: what is written as a whole number is one, and nothing else; all else is
--- as any reader of JSON has it.
+-- | Tests lines of the protocol: which numbers are whole depends on how they are written; all else
+-- is read as any reader of JSON reads it.
 module Test.Conformance.Wire.Lines (spec) where
 
 import Data.Aeson (Value (..), decodeStrict, object, (.=))
@@ -21,14 +21,14 @@ import Test.Hspec
 
 spec :: Spec
 spec = do
-  it "a number is whole if it is written so: of all up to three digits, a point and an exponent" $
+  it "a number is whole if written so: tried on three digits with point and exponent" $
     for_ numbers $ \text ->
       (text, whole <$> either (const Nothing) Just (readLine text))
         `shouldBe` (text, Just (Bytes.all isDigit (Bytes.dropWhile (== '-') text)))
-  it "numbers are what they are to others, alone, among others, beside texts that look like them" $
+  it "numbers are read as other programs read them: alone, among others, beside similar texts" $
     for_ (numbers ++ concatMap within numbers) $ \text ->
       (text, either (const Nothing) Just (readLine text)) `shouldBe` (text, decodeStrict text)
-  it "texts stay as they are, whatever quotes, escapes, digits and exponents they have" $
+  it "texts are kept exactly, whatever quotes, escapes, digits and exponents they have" $
     for_
       [ "{\"a\\\"2e0\":\"x\\\\\",\"3e0\":2e0}",
         "[\"2e0\",\"\\\"2.0e0\",2.0e0,\"\",\"e\",\"1E5\\\\\",1E5]",
@@ -36,14 +36,14 @@ spec = do
         "[\"no number\",\"e1\",true]"
       ]
       $ \text -> either (const Nothing) Just (readLine text) `shouldBe` decodeStrict text
-  it "behind any text, and before one, a number is known to be whole as it is alone" $
+  it "a number before or after any text is recognised as whole, as it is when alone" $
     for_ ((,) <$> texts <*> ["2", "2e0", "2.0e0", "20e-1"]) $ \(text, number) ->
       ( (text, number),
         map whole . toList
           <$> (readLine ("[" <> text <> "," <> number <> "," <> text <> "]") >>= list)
       )
         `shouldBe` ((text, number), Right [False, number == "2", False])
-  it "a text is a whole number if it is written in digits, at most 4096, behind a sign or none" $ do
+  it "a text is a whole number if it is at most 4096 digits with an optional sign" $ do
     [readWhole (String text) | text <- ["0", "7", "007", "-5", "12345678901234567890123"]]
       `shouldBe` map Just [0, 7, 7, -5, 12345678901234567890123]
     [readWhole (String text) | text <- ["", "-", "--5", "+5", "1.0", "1e3", " 1", "1 ", "x", "0x1"]]
@@ -51,12 +51,12 @@ spec = do
     [isJust (readWhole (String (Text.replicate n "9"))) | n <- [4095, 4096, 4097]]
       `shouldBe` [True, True, False]
     map readWhole [Null, Bool True] `shouldBe` [Nothing, Nothing]
-  it "a line is shown whole up to a hundred bytes, a longer one by its first eighty" $
+  it "a line of up to a hundred bytes is shown whole, a longer one by its first eighty" $
     for_ ([0 .. 130] ++ [1000]) $ \size -> do
       let line = take size (cycle ['a' .. 'z'])
       excerpt (Bytes.pack line)
         `shouldBe` if size <= 100 then line else take 80 line ++ " ... (" ++ show size ++ " bytes)"
-  it "requests have the keys of the protocol; one of a process a request has the profile, too" $ do
+  it "requests have the keys of the protocol; with a process per request also the profile" $ do
     let profile = profileValue canonicalProfile
         question = SomeQuestion (Add :? (1, 2))
         input = object ["a" .= (1 :: Int), "b" .= (2 :: Int)]
@@ -109,7 +109,7 @@ spec = do
       ]
       $ \(line, what) ->
         replyTo line `shouldBe` Left (Fault NotJson (what ++ ": " ++ excerpt line))
-  it "the reply to start has the protocol, a name, operations and how many are asked at once" $ do
+  it "the reply to start has the protocol, a name, the operations and the batch size" $ do
     let start fields = startedBy (encodeLine fields)
         encodeLine fields = "{" <> Bytes.intercalate "," [k <> ":" <> v | (k, v) <- fields] <> "}"
         right' =
@@ -170,7 +170,7 @@ spec = do
         "{\"" <> text <> "\":[" <> text <> "]}"
       ]
 
--- | Numbers as JSON has them.
+-- | Numbers as JSON writes them.
 numbers :: [Bytes.ByteString]
 numbers =
   [ sign <> digits <> fraction <> exponent'

@@ -1,9 +1,9 @@
 {-# LANGUAGE OverloadedStrings #-}
 {-# LANGUAGE RankNTypes #-}
 
--- | What is embossed beside what it is to be: a plate is the points below its face and the boxes of
--- its raised taxels, each of which is asked for; a solid with symbols is a solid again, with so
--- many corners and so large.
+-- | Tests embossed plates and solids. A plate is the points below its face and the boxes of its
+-- raised taxels, each tested. A solid with symbols is a solid again, with the expected corners and
+-- volume.
 module Test.Recognition.Object.EmbossedByCounting (spec) where
 
 import Data.Foldable (for_)
@@ -40,7 +40,7 @@ import Test.Touch.Paper (paperAlphabet)
 
 spec :: Spec
 spec = do
-  it "of the paper's solids: one closed surface each, as large as its solid and its taxels" $
+  it "the paper's solids stay closed surfaces, with the volume of the solid and its raised taxels" $
     withArray $ \array -> do
       layout <- right canonicalPlacement
       paper <- right paperAlphabet
@@ -60,7 +60,7 @@ spec = do
             `shouldBe` ([], [Just size])
           map componentEuler (reportComponents report) `shouldBe` [2]
           roundedMost it' `shouldBe` 0
-  withCases 10 30 . prop "a point is in a plate if it is below its face or in a taxel" $
+  withCases 10 30 . prop "a point is in a plate just if it is below its face or in a taxel" $
     withScene $ \array given layout laid ->
       forAll (elements [2, 3, 7 % 2]) $ \thick ->
         let Face object face = laidFace laid
@@ -73,7 +73,7 @@ spec = do
                    in forAll (vectorOf 60 (genPoint laid (fromRational thickness))) $ \points ->
                         conjoin
                           [counterexample (show p) (within surface p === defined p) | p <- points]
-  withCases 10 30 . prop "a solid with symbols is one, of as many corners as it takes" $
+  withCases 10 30 . prop "a solid with symbols is a solid with the counted number of corners" $
     withScene $ \array given layout laid ->
       let object = faceObject (laidFace laid)
        in whenRight (embossed given array layout (WholeObject object)) $ \made ->
@@ -100,8 +100,8 @@ spec = do
                           (show (size, told))
                           (abs (fromRational size / told - 1) < 1e-9)
                       ]
-  describe "refused are" $ do
-    it "shapes of which two taxels meet at a corner only, by name" $
+  describe "emboss refuses" $ do
+    it "shapes of which two taxels meet only at a corner, by name" $
       withArray $ \array -> do
         layout <- right canonicalPlacement
         given <- right paperAlphabet
@@ -111,7 +111,7 @@ spec = do
             zip ["a", "b", "pair", "d"] (take 2 (shapes given) ++ checkered : drop 3 (shapes given))
         fmap embossedTaxels (embossed spoilt array layout (WholeObject "cube"))
           `shouldBe` Left (CornerContact "pair" (2, 2))
-    it "plates no thicker than their symbols are high, faces and objects that there are not" $
+    it "plates no thicker than their symbols are high, and unknown faces and objects" $
       withArray $ \array -> do
         layout <- right canonicalPlacement
         given <- right paperAlphabet
@@ -122,7 +122,7 @@ spec = do
         made (PlateOf "cube" (readFaceName "C1 C2 C3") Nothing)
           `shouldBe` Left (NotThere (UnknownFace (Face "cube" (readFaceName "C1 C2 C3"))))
         made (WholeObject "ball") `shouldBe` Left (NotThere (UnknownObject "ball"))
-    it "more symbols than are raised at once" $
+    it "more raised symbols than the limit" $
       withArray $ \array -> do
         given <- right paperAlphabet
         for_ [(128, 128, False), (129, 128, True)] $ \(high, wide, tooMany) -> do
@@ -133,7 +133,7 @@ spec = do
           let made = embossed given array layout (WholeObject "box")
           either (== TooManySymbols (high * wide)) (const False) made
             `shouldBe` tooMany
-    it "symbols that run into those of a face across a slot, and not those of a wider one" $
+    it "symbols that run into those of a face across a slot, but not those of a wider one" $
       withArray $ \array -> do
         given <- right paperAlphabet
         for_ [(2, True), (3, True), (4, False), (20, False)] $ \(wide, runs) -> do
@@ -151,7 +151,7 @@ spec = do
           made <- right (embossed given array layout (WholeObject "slotted"))
           let outcome = rounded Binary32 made >>= uncut whole made
           (wide, outcome) `shouldBe` (wide, if runs then Left Collided else Right ())
-    it "coordinates of 32 bits where symbols are too small for them" $
+    it "coordinates of 32 bits if symbols are too small for them" $
       withArray $ \array -> do
         given <- right paperAlphabet
         let away (Point x y z) = Point (x + 100000000) y z
@@ -162,7 +162,7 @@ spec = do
         made <- right (embossed given array layout (WholeObject "box"))
         either show (const "") (rounded Binary32 made) `shouldStartWith` "Melted"
         fmap roundedMost (rounded Fractions made) `shouldBe` Right 0
-    it "fractions where coordinates are none" $
+    it "fractions that are not exact coordinates" $
       withArray $ \array -> do
         given <- right paperAlphabet
         slanted <- right (solid (namedDescription (Tetrahedron 200)))
@@ -209,7 +209,7 @@ inPlate shapeAt layout laid thickness (x, y, z)
     (c, u) = floor ((x - left) / taxel) `divMod` 16 :: (Int, Int)
     cell = Position (fromIntegral (r :: Int)) (fromIntegral c)
 
--- | A block with a slot so many millimetres wide, whose walls are 60 mm high and 40 mm long.
+-- | A block with a slot of this width in millimetres, whose walls are 60 mm high and 40 mm long.
 slotted :: Rational -> Description
 slotted wide =
   Description
@@ -235,8 +235,8 @@ slotted wide =
 withArray :: (forall k. KnownField k => PseudorandomArray k -> IO a) -> IO a
 withArray test = either (fail . show) id (withProfile canonicalProfile (\array _ -> test array))
 
--- | A face of some solid, laid somewhere on the array, amid the face or at a margin, on as many of
--- its cells as there is room for, with symbols of some size, and shapes drawn by chance.
+-- | A face of some solid, laid on the array in the middle of the face or at a margin. It covers as
+-- many cells as there is room for, with symbols of some size and random shapes.
 withScene ::
   Testable p =>
   (forall k. KnownField k => PseudorandomArray k -> Alphabet -> Placement -> LaidFace -> p) ->
@@ -285,7 +285,7 @@ gridOn :: Pitch -> Solid -> Int -> Grid
 gridOn (Pitch right' down) whole f =
   bestGrid (solidMesh whole) (right', down) (meshWalks (solidMesh whole) V.! f)
 
--- | Four shapes of rectangles and of holes in them, which meet nowhere at a corner only.
+-- | Four shapes made of rectangles and holes, of which no two taxels meet only at a corner.
 genAlphabet :: Gen Alphabet
 genAlphabet = do
   drawn <- vectorOf 4 (genShape `suchThat` usable)
@@ -308,7 +308,8 @@ cornersBy whole face =
 
 type Triangle = [(Double, Double, Double)]
 
--- | The triangles of a polyhedron, right of, below and above the first corner of a face.
+-- | The triangles of a polyhedron in coordinates right of, below and above the first corner of a
+-- face.
 onFace :: [Point] -> Mesh -> [Triangle]
 onFace corners made =
   [map (placed . pointAt made) (U.toList walk) | walk <- V.toList (meshWalks made)]
@@ -325,15 +326,15 @@ onFace corners made =
     along (a, b, c) (d, e, f) = a * d + b * e + c * f
     unit v@(a, b, c) = let l = sqrt (along v v) in (a / l, b / l, c / l)
 
--- | Whether a point is within a closed surface: straight up from it there are more triangles that
--- face up than that face down.
+-- | Whether a point is within a closed surface: on the line straight up from it, more triangles
+-- face up than down.
 within :: [Triangle] -> (Double, Double, Double) -> Bool
 within surface (x, y, z) = sum (map passed surface) == (1 :: Int)
   where
     passed triangle = case triangle of
       [(ax, ay, az), (bx, by, bz), (cx, cy, cz)]
         | whole /= 0 && u > 0 && v > 0 && w > 0 && u * az + v * bz + w * cz > z ->
-          -- Rows go down, so that what is counter-clockwise from above turns right.
+          -- Rows go down, so that counter-clockwise from above turns right.
           if whole < 0 then 1 else -1
         where
           whole = (bx - ax) * (cy - ay) - (by - ay) * (cx - ax)

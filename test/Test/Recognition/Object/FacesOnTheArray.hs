@@ -1,5 +1,6 @@
 {-# LANGUAGE OverloadedStrings #-}
 
+-- | Tests placements: the canonical one, both look-ups against its definition, and refusals.
 module Test.Recognition.Object.FacesOnTheArray (spec) where
 
 import Data.Foldable (for_)
@@ -73,7 +74,7 @@ spec = describe "placement" $ do
               [place | at <- everyPosition, OnFace place <- [whereabouts it_ canonicalWindow at]]
         length places `shouldBe` 132
         length (filter ((== Nothing) . corner) places) `shouldBe` 28
-    it "so are windows of every shape up to 6 x 9, and some beyond the torus" $
+    it "windows of every shape up to 6 x 9, and some beyond the torus, follow the definition" $
       thePlacement $ \it_ ->
         for_
           ( [Shape r c | r <- [0 .. 6], c <- [0 .. 9]]
@@ -126,7 +127,7 @@ spec = describe "placement" $ do
     it "a face is found wherever its name starts" $
       thePlacement $ \it_ ->
         (laidFace <$> findFace it_ "cube" (readFaceName "C3 C4 C1 C2")) `shouldBe` Right topFace
-    it "refuses unknown objects and faces, clockwise names, and cells that the face has not got" $
+    it "unknown objects and faces, clockwise names, and cells beyond the face are refused" $
       thePlacement $ \it_ -> do
         let alien = readFaceName "P1 P2 P3 P4"
             clockwise = readFaceName "C4 C3 C2 C1"
@@ -151,7 +152,7 @@ spec = describe "placement" $ do
 -- at any pitch.
 layingSpec :: Spec
 layingSpec =
-  withCases 100 400 . it "is laid, each block where it is to be, or refused for the first fault" $
+  withCases 100 400 . it "is laid with each block in its place, or refused for the first fault" $
     whenRight cube $ \it_ ->
       forAll (Pitch <$> elements pitches <*> elements pitches) $ \between ->
         forAll (choose (0, 3) >>= (`vectorOf` genLaying between (solidFaces it_))) $ \layings ->
@@ -237,8 +238,8 @@ mutations :: [(String, [Solid] -> Either PlacementError Placement, PlacementErro
 mutations =
   [ ("an array without rows", with' (Shape 0 17) canonicalPitch [], EmptyArray (Shape 0 17)),
     ("an array without columns", with' (Shape 15 0) canonicalPitch [], EmptyArray (Shape 15 0)),
-    ("a pitch of nothing along rows", with' sheet (Pitch 0 1) [], PitchNotPositive (Pitch 0 1)),
-    ("a pitch of nothing along columns", with' sheet (Pitch 1 0) [], PitchNotPositive (Pitch 1 0)),
+    ("a pitch of zero along rows", with' sheet (Pitch 0 1) [], PitchNotPositive (Pitch 0 1)),
+    ("a pitch of zero along columns", with' sheet (Pitch 1 0) [], PitchNotPositive (Pitch 1 0)),
     ( "two objects of one name",
       \objects -> placement sheet canonicalPitch (objects ++ take 1 objects) [],
       RepeatedObject "cube"

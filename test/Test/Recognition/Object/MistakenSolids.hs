@@ -1,6 +1,6 @@
 {-# LANGUAGE OverloadedStrings #-}
 
--- | Descriptions of solids, and mistakes in them.
+-- | Descriptions of solids with mistakes.
 module Test.Recognition.Object.MistakenSolids
   ( mutations,
     tetrahedron,
@@ -36,7 +36,7 @@ reversing which it_ = it_ {describedFaces = zipWith reversed [0 ..] (describedFa
 turn :: Int -> FaceName -> FaceName
 turn by (FaceName walk) = FaceName (take (length walk) (drop (by `mod` length walk) (cycle walk)))
 
--- | Each kind's least example, with the defect that is told of it.
+-- | The smallest example of each kind of mistake, with the defect that is reported.
 mutations :: [(String, Description, Defect)]
 mutations =
   [ ("no faces", cubeDescription {describedFaces = []}, Defect NoFaces [] [] Nothing),
@@ -49,7 +49,7 @@ mutations =
       Defect CoincidentVertices [] ["C1", "C9"] Nothing
     ),
     ("a vertex on no face", withVertex ("C9", Point 1 2 3), Defect UnusedVertex [] ["C9"] Nothing),
-    ( "a face with a vertex there is not",
+    ( "a face with an unknown vertex",
       withFace "C1 C2 C9",
       Defect UnknownVertex [readFaceName "C1 C2 C9"] ["C9"] Nothing
     ),
@@ -111,11 +111,11 @@ mutations =
       reversing [0 .. 5] cubeDescription,
       Defect InsideOut [readFaceName "C3 C7 C6 C2"] [] Nothing
     ),
-    ( "a solid within another, outward as that one is",
+    ( "a solid within another, facing outward like that one",
       cubeDescription `together` tetrahedron ["A", "B", "C", "D"] (Point 60 60 60),
       Defect InsideOut [FaceName ["A", "C", "B"]] [] Nothing
     ),
-    ( "a solid that stands on another with one vertex, which is none of it",
+    ( "a solid that touches another with one vertex, which it does not share",
       cubeDescription
         `together` (tetrahedron ["A", "B", "C", "D"] (Point 60 60 127))
           { describedVertices =

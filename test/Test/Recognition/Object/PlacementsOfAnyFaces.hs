@@ -1,7 +1,7 @@
 {-# LANGUAGE OverloadedStrings #-}
 
--- | Placements of any objects: what lies where, cell by cell; the search; the files; and faces of
--- any form pressed and recognised.
+-- | Tests placements of any objects: where everything lies, cell by cell; the search; the files;
+-- and faces of any form pressed and recognised.
 module Test.Recognition.Object.PlacementsOfAnyFaces (spec) where
 
 import Data.Either (fromLeft)
@@ -36,13 +36,13 @@ import Test.Touch.Paper (paperAlphabet, paperNetwork)
 
 spec :: Spec
 spec = do
-  describe "of drawn solids, laid by search" lookUpSpec
+  describe "random solids, laid by search" lookUpSpec
   describe "windows counted" countSpec
   describe "the search" searchSpec
   describe "files" fileSpec
   describe "faces of any form" touchSpec
 
--- | Solids of every kind of face, some of which have one cell, some many.
+-- | Solids with every kind of face, some with one cell, some with many.
 solids :: [Named]
 solids =
   [ Box 60 90 40,
@@ -56,8 +56,8 @@ solids =
     Cube
   ]
 
--- | Some of them, half of the time two alike, laid from any of their vertices on 63 x 65 cells, of
--- symbols of some size.
+-- | Some of these solids, half of the time two equal ones, laid from any of their vertices on 63 x
+-- 65 cells, with symbols of some size.
 placements :: Gen (Either String Placement)
 placements = do
   chosen <- sublistOf solids `suchThat` (not . null)
@@ -81,7 +81,7 @@ laidBy seed size begun chosen = do
 sheet :: Shape
 sheet = Shape 63 65
 
--- | Of each cell of the array that a face has: the face, and the cell of its block.
+-- | For each cell of the array that a face has: the face, and the cell of its block.
 owners :: Placement -> Map.Map (Integer, Integer) (LaidFace, (Integer, Integer))
 owners place =
   Map.fromList
@@ -117,7 +117,7 @@ position r c = Position (fromInteger r) (fromInteger c)
 
 lookUpSpec :: Spec
 lookUpSpec = do
-  withCases 5 20 . it "all the faces' cells are there, and lie where their grid has them" $
+  withCases 5 20 . it "all cells of the faces are there, and lie where their grid has them" $
     forAllShow placements (fromLeft "a placement") $ \made ->
       whenRight made $ \place ->
         conjoin
@@ -174,7 +174,7 @@ lookUpSpec = do
             | ((r, c), (laid, (i, j))) <- Map.toList (owners place)
           ]
 
--- | What is told of a window: the face and the cell of its block, the faces, or nothing.
+-- | The place of a window: the face and the cell of its block, several faces, or none.
 data Lies = On Face (Integer, Integer) | OnSeveral [Face] | None
   deriving stock (Eq, Show)
 
@@ -185,8 +185,8 @@ kindOf found = case found of
   Straddles faces -> OnSeveral faces
   OnNoObject -> None
 
--- | By the cells of the window: all of one face, side by side; or some of several, in the order of
--- layings.
+-- | The place by the cells of the window: all of one face, side by side; or some of several, in the
+-- order of layings.
 expected ::
   [Face] ->
   Map.Map (Integer, Integer) (LaidFace, (Integer, Integer)) ->
@@ -215,7 +215,7 @@ countSpec = do
   it "on the canonical placement: 132 of 255 on faces, 89 on several, 34 on none or in part" $ do
     place <- right canonicalPlacement
     windowCounts place canonicalWindow `shouldBe` Just (WindowCounts 132 89 34)
-  withCases 2 4 . it "are those that are told one by one, on any placement" $
+  withCases 2 4 . it "equal the counts of single windows, on any placement" $
     forAllShow placements (fromLeft "a placement") $ \made ->
       forAll (shape <$> choose (1, 4) <*> choose (1, 4)) $ \window ->
         whenRight made $ \place ->
@@ -231,17 +231,18 @@ countSpec = do
                       (length [() | OnSeveral _ <- kinds])
                       (length [() | None <- kinds])
                   )
-  it "up to 2^26 cells, and no more" $ do
+  it "are counted on arrays of up to 2^26 cells" $ do
     body <- right (solid (namedDescription (Box 60 90 40)))
     for_ [(Shape 8192 8192, True), (Shape 8192 8193, False), (Shape 8193 8192, False)] $
       \(whole, counted) -> do
         place <- right (placement whole canonicalPitch [body] [])
         (whole, isJust (windowCounts place (Shape 2 2))) `shouldBe` (whole, counted)
-  it "the least press has the symbols of a whole window wherever it lies, and no smaller one has" $
+  it "leastPress is the smallest press that has a whole window's symbols wherever it lies" $
     for_ [(h, w) | h <- [1 .. 5], w <- [1 .. 5]] $ \(h, w) ->
       leastPress (shape h w) `shouldBe` (leastAcross 16 8 w, leastAcross 20 12 h)
   where
-    -- Along one axis, of so many symbols of a side in the middle of cells; all in half taxels.
+    -- The least length along one axis, for this many symbols of a side in the middle of cells, in
+    -- half taxels.
     leastAcross pitch side count =
       head
         [ long
@@ -263,7 +264,7 @@ searchSpec = do
         place <- right (placement (Shape 15 17) canonicalPitch bodies layings)
         Map.size (owners place) `shouldBe` 228
       other -> expectationFailure (show other)
-  it "leaves what lies where it is" $ do
+  it "leaves laid faces where they are" $ do
     lying <- right canonicalPlacement
     small <- right (solid ((namedDescription (Box 60 40 40)) {describedName = "small"}))
     let bodies = placementSolids lying ++ [small]
@@ -279,7 +280,7 @@ searchSpec = do
         place <- right (placement (Shape 15 17) canonicalPitch bodies (earlier ++ layings))
         take 12 (laidFaces place) `shouldBe` laidFaces lying
       other -> expectationFailure (show other)
-  it "says what is impossible" $ do
+  it "gives the reason if the layout is impossible" $ do
     for_
       [ ([Box 500 500 500], \why -> case why of PieceTooLarge 0 -> True; _ -> False),
         ( [LShape 200 200 200, Octahedron 200],
@@ -295,12 +296,12 @@ searchSpec = do
 
 fileSpec :: Spec
 fileSpec = do
-  withCases 5 20 . it "what is written is read again as it was" $
+  withCases 5 20 . it "decodePlacement . encodePlacement = Right" $
     forAllShow placements (fromLeft "a placement") $ \made ->
       whenRight made $ \place ->
         let profile = canonicalProfile {profileShape = sheet}
          in decodePlacement (encodePlacement profile place) === Right (profile, place)
-  it "a face may be laid at a margin, begun at any vertex, on some of its cells" $ do
+  it "a face at a margin, begun at any vertex, on some of its cells, is read as written" $ do
     body <- right (solid (namedDescription Cube))
     let face = Face "cube" (readFaceName "C2 C3 C4 C1")
         some = Block (Shape 2 3) (Just (Set.fromList [Position 0 1, Position 1 0, Position 1 2]))
@@ -351,6 +352,6 @@ touchSpec = do
             either (Left . show) Right (evaluated experiment array reader)
       outcomes <- map withStitching <$> right results
       [() | Mistaken _ <- outcomes] `shouldBe` []
-      -- All but a few.
+      -- A quick run leaves out all but a few.
       length [() | Correct _ <- outcomes]
         `shouldSatisfy` (>= presses - max 1 (presses `div` 4))

@@ -1,5 +1,5 @@
--- | Plates with raised symbols: drawn ones, and some of which everything is known by how they were
--- made.
+-- | Plates with raised symbols: random ones, and some whose measures follow from their
+-- construction.
 module Test.Recognition.Object.Plates
   ( Plate (..),
     Plated (..),
@@ -17,20 +17,20 @@ import Test.QuickCheck
 
 -- | A face to be embossed as a plate.
 data Plate = Plate
-  { -- | where the face's vertices are, in the order of its walk
+  { -- | the vertices of the face, in the order of its walk
     plateCorners :: [Point],
     -- | the side of a taxel of the symbols, and the height to which they are raised
     plateTaxel :: Rational,
     plateThickness :: Rational,
-    -- | 12 rows of 8 taxels each, @#@ for one that is raised and @.@ for one that is not
+    -- | 12 rows of 8 taxels each, @#@ for a raised taxel and @.@ for a flat one
     plateShapes :: [[String]],
-    -- | rows of cells 16 taxels wide and 20 high, centred on the box round the corners: which shape
-    -- stands in the middle of each, by its place among the shapes, if any does
+    -- | rows of cells 16 taxels wide and 20 high, centred on the box round the corners; each has
+    -- the index of the shape in its middle, if any
     plateSymbols :: [[Maybe Natural]]
   }
   deriving stock (Eq, Show)
 
--- | A plate that was made.
+-- | A plate and its measures.
 data Plated = Plated
   { -- | r and s of r + sqrt s, cubic millimetres; s is 0 where the root is a fraction
     platedVolume :: (Rational, Rational),
@@ -45,12 +45,12 @@ data Plated = Plated
 square :: [Point]
 square = [Point 0 32 0, Point 0 0 0, Point 32 0 0, Point 32 32 0]
 
--- | A plate of 3 mm with taxels of 1 mm and one symbol, of the shape that begins with these rows.
+-- | A plate of 3 mm with taxels of 1 mm and one symbol, whose shape begins with these rows.
 plateOn :: [Point] -> [[String]] -> Plate
 plateOn corners shapes =
   Plate corners 1 3 [take 12 (shape ++ repeat "........") | shape <- shapes] [[Just 0]]
 
--- | Plates of which everything is known by how they were made.
+-- | Plates whose measures follow from their construction.
 knownPlates :: [(Plate, Plated)]
 knownPlates =
   [ (plateOn square [["##......", "##......"]], Plated (3072 + 4, 0) 16 42 28),
@@ -79,7 +79,7 @@ drawnPlate = do
   n <- chooseInteger (1, 4)
   shapes <- vectorOf 3 genShape
   thick <- elements [2, 3, 5 / 4]
-  -- As wide as so many symbols, at most.
+  -- As wide as this many symbols, at most.
   let across part = maximum (map part corners) - minimum (map part corners)
       widest =
         maximum (map across [\(Point x _ _) -> x, \(Point _ y _) -> y, \(Point _ _ z) -> z])
@@ -108,7 +108,7 @@ drawnPlate = do
       (part, []) -> [part]
       (part, others) -> part : inParts k others
 
--- | A shape of blocks and of holes in them, of which no two taxels meet at a corner only.
+-- | A shape of blocks and holes, of which no two taxels meet only at a corner.
 genShape :: Gen [String]
 genShape = drawnShape `suchThat` (not . any crossing . neighbours)
   where
@@ -126,7 +126,7 @@ drawnShape = do
       pure (x, y, x + w, y + h)
     put x y mark (on, (l, t, r, b)) = if x >= l && x < r && y >= t && y < b then on else mark
 
--- | Every two by two taxels of a shape, row by row.
+-- | All squares of two by two taxels of a shape, row by row.
 neighbours :: [String] -> [String]
 neighbours shape =
   [ concat [take 2 (drop x line) | line <- take 2 (drop y shape)]

@@ -1,7 +1,7 @@
 {-# LANGUAGE OverloadedStrings #-}
 
--- | A face as a plate with symbols raised on it, of boxes: what is below the face, and a cube on
--- each raised taxel, united by counting. The library's plates are held to that.
+-- | The definition of a plate with raised symbols as a union of boxes: the part below the face and
+-- a cube on each raised taxel, united by counting. The library's plates are compared with it.
 module Test.Recognition.Object.PlatesByDefinition (spec) where
 
 import Data.Foldable (for_)
@@ -27,19 +27,19 @@ import Test.Recognition.Object.Plates
 
 spec :: Spec
 spec = do
-  it "plates of a few blocks have the volume and the numbers that those have" $
+  it "plates of a few blocks have their known volumes and counts" $
     for_ knownPlates $ \(plate, made) -> do
       platedOf plate `shouldBe` made
       embossedBy plate `shouldBe` Right made
   withCases 60 300
-    . prop "a plate is its face times its thickness, and a cube more for each raised taxel"
+    . prop "a plate's volume is its face times its thickness, plus a cube for each raised taxel"
     $ forAll plates $ \plate -> embossedBy plate === Right (platedOf plate)
 
--- | How large the plate is and how many corners, sides and triangles its surface has.
+-- | The volume of a plate, and the numbers of corners, sides and triangles of its surface.
 --
 -- It is a prism over the face, of half the length of the normal times the thickness, and a cube for
--- each raised taxel. A surface of triangles of which each side belongs to two has 3 F = 2 E, and
--- V - E + F is that of the boxes' own surface.
+-- each raised taxel. On a surface of triangles each side belongs to two, so 3 F = 2 E; V - E + F is
+-- that of the boxes' own surface.
 platedOf :: Plate -> Plated
 platedOf it_ = Plated volume vertices (3 * faces `div` 2) faces
   where
@@ -48,7 +48,7 @@ platedOf it_ = Plated volume vertices (3 * faces `div` 2) faces
     raised = genericLength (filter (== '#') (concat (concat shapes))) :: Rational
     vertices = 2 * (genericLength (plateCorners it_) + sum (map turns shapes)) :: Natural
     turns shape = genericLength [() | four <- around shape, odd (length (filter id four))]
-    -- A ball, but for what the boxes' surface says otherwise.
+    -- A ball, except for what the boxes' surface adds.
     euler = 2 + sum [patchEuler shape - 1 | shape <- shapes]
     faces = fromInteger (2 * (toInteger vertices - euler))
     volume = (raised * t * t * t + rational, root)
@@ -68,8 +68,8 @@ spots shape = [(i, j) | j <- [0 .. length shape], i <- [0 .. length (concat (tak
 raisedAt :: [String] -> Int -> Int -> Bool
 raisedAt shape x y = take 1 (drop x (concat (take 1 (drop y shape)))) == "#" && x >= 0 && y >= 0
 
--- | V - E + F of the squares that one sees from above and from aside on the taxels of a shape, and
--- on those next to it: on each taxel one, at its height, and a wall between two of different
+-- | V - E + F of the squares that are visible from above and from the side on the taxels of a shape
+-- and on those next to it: one on each taxel, at its height, and a wall between two of different
 -- heights.
 patchEuler :: [String] -> Integer
 patchEuler shape = points - sides + squares
@@ -94,7 +94,7 @@ patchEuler shape = points - sides + squares
     squares =
       toInteger ((wide + 2) * (high + 2)) + count [() | rim <- rims, length (heights rim) == 2]
 
--- | What the library makes of a plate: that of the face of a prism.
+-- | The library's plate over the face of a prism.
 embossedBy :: Plate -> Either String Plated
 embossedBy (Plate corners taxel thickness shapes symbols) = do
   (whole, laid) <- case drawnPlacement size (Pitch (16 * taxel) (20 * taxel)) [prism] [laying] of

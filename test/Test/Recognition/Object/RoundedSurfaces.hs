@@ -1,7 +1,7 @@
 {-# LANGUAGE OverloadedStrings #-}
 
--- | What files hold of an embossed surface, beside the same surface at the origin: a motion changes
--- no triangle and no volume, but coordinates far away have fewer digits left behind the point.
+-- | Compares an embossed surface in a file with the same surface at the origin. A motion changes no
+-- triangle and no volume, but coordinates far away keep fewer digits after the point.
 module Test.Recognition.Object.RoundedSurfaces (spec) where
 
 import qualified Data.ByteString.Builder as Builder
@@ -31,9 +31,9 @@ import Test.Touch.Paper (paperAlphabet)
 
 spec :: Spec
 spec = do
-  -- A tilted block 10^12 mm away along one axis was written as a plane figure, of volume 0: no two
+  -- A rotated block 10^12 mm away along one axis was written as a plane figure of volume 0: no two
   -- points became one, and no triangle turned over.
-  withCases 25 100 . prop "far away it is the same solid, or it is refused" $
+  withCases 25 100 . prop "a solid far away is written as the same solid, or refused" $
     forAll (elements [minBound ..]) $ \body ->
       forAll (elements [Binary32, Decimals]) $ \precision ->
         forAll (elements [1, 1e-6, 1e-30, 1e-41]) $ \size ->
@@ -49,10 +49,10 @@ spec = do
                 pure . classify (far > least) "far" $ case written precision whole away of
                   Left why -> counterexample (show why) (size < 1e-6 || far > least)
                   Right found -> sameSolid near found (embossedVolume away)
-  describe "refused is a lens thinner than the steps between numbers of 32 bits" $ do
-    it "whose two sides cut each other" $
+  describe "a lens thinner than the steps between numbers of 32 bits is refused" $ do
+    it "if its two sides cut each other" $
       lens 120 `refusedAs` \why -> why == Cut
-    it "of which little is left" $
+    it "if little of it is left" $
       lens 1200 `refusedAs` \why -> case why of
         Deflated _ _ -> True
         _ -> False
@@ -64,7 +64,7 @@ spec = do
     readBack <- readAgain it'
     places readBack `shouldBe` places (roundedMesh exact)
     meshWalks readBack `shouldBe` meshWalks (roundedMesh exact)
-  it "OBJ has of a slanted face what numbers of 64 bits can" $ do
+  it "OBJ has a slanted face to the precision of numbers of 64 bits" $ do
     (_, made) <- embossedOn 1 (described Slanted)
     readBack <- right (rounded Decimals made) >>= readAgain
     reportDefects (examine readBack) `shouldBe` []
@@ -83,9 +83,9 @@ spec = do
         Builder.toLazyByteString (writtenBytes (writeSolid Obj (roundedMesh it')))
     places one = V.generate (V.length (meshPoints one)) (pointAt one)
 
--- | Whether a rounded surface is that of a solid, and no further from one that was rounded nearer
--- to the origin than rounding can take it: with S the surface and m the most that a coordinate
--- moved, its volume is within sqrt 3 m S, times what the triangles may grow.
+-- | Whether a rounded surface is that of a solid, and no further from the surface near the origin
+-- than rounding allows. With S the surface and m the largest move of a coordinate, its volume is
+-- within sqrt 3 m S, times the growth of the triangles.
 sameSolid :: Rounded -> Rounded -> Volume -> Property
 sameSolid near it' told =
   conjoin
@@ -157,7 +157,7 @@ movedBy way = moved $ \(Point x y z) -> case zipWith (+) way [x, y, z] of
 scaledBody :: Rational -> Description -> Description
 scaledBody k = moved (\(Point x y z) -> Point (k * x) (k * y) (k * z))
 
--- | A solid with one symbol on its first face, so much larger than the paper's.
+-- | A solid with one symbol on its first face, larger than the paper's by this factor.
 embossedOn :: Rational -> Description -> IO (Solid, Embossed)
 embossedOn larger body = do
   whole <- right (solid body)

@@ -1,5 +1,6 @@
 {-# LANGUAGE OverloadedStrings #-}
 
+-- | Tests solids as winged edges: known ones, laws of every solid, and refused descriptions.
 module Test.Recognition.Object.SolidsAreClosed (spec) where
 
 import Data.Either (isLeft)
@@ -101,7 +102,7 @@ spec = describe "winged-edge models" $ do
     it "any one face reversed is refused" $
       for_ [0 .. 5] $ \k ->
         solid (reversing [k] cubeDescription) `shouldSatisfy` either isDisagreement (const False)
-    prop "does not depend on where a face's walk starts, order, place or size" $
+    prop "does not depend on the start of a face's walk, order, place or size" $
       forAll (shuffle (describedFaces cubeDescription)) $
         \shuffled
          (Positive size)
@@ -116,11 +117,11 @@ spec = describe "winged-edge models" $ do
                     }
              in reportDefects (examineDescription other) === []
 
--- | What holds of every solid: of several pieces, with handles and cavities, and with faces that
--- are not convex.
+-- | Laws of every solid: of several pieces, with handles and cavities, and with faces that are not
+-- convex.
 lawsOfAny :: Spec
 lawsOfAny = withCases 10 100 $ do
-  it "is a solid, and rebuilding it from its description gives it again" $
+  it "is valid, and rebuilding it from its description gives it again" $
     ofAny $ \it_ -> do
       reportDefects (examineDescription (description it_)) `shouldBe` []
       solid (description it_) `shouldBe` Right it_
@@ -162,7 +163,7 @@ lawsOfAny = withCases 10 100 $ do
         sort ring `shouldBe` sort (filter (elem vertex . faceVertices) (solidFaces it_))
         for_ (zip ring (drop 1 (cycle ring))) $ \(face, next) ->
           neighbours it_ face `shouldSatisfy` elem next
-  it "the neighbours of a face are those that have a side of it, the other way round" $
+  it "a face's neighbours are the faces that share a side with it, in the other direction" $
     ofAny $ \it_ ->
       for_ (solidFaces it_) $ \face ->
         sort (neighbours it_ face)
@@ -181,7 +182,7 @@ lawsOfAny = withCases 10 100 $ do
     previousOn face edge =
       (if edgeLeft edge == face then leftPrevious else rightPrevious) (edgeWings edge)
 
--- | What is known of a box.
+-- | Laws of a box.
 boxFacts :: ((Solid -> Expectation) -> Expectation) -> Spec
 boxFacts given = do
   it "V - E + F = 8 - 12 + 6 = 2" $
@@ -206,7 +207,7 @@ boxFacts given = do
                 other /= face,
                 any (`elem` faceVertices face) (faceVertices other)
             ]
-  it "there is nothing to say of a face or a vertex that is not there" $
+  it "an unknown face or vertex has no edges, no neighbours and no faces" $
     given $ \it_ -> do
       edgesOf it_ (readFaceName "X Y Z") `shouldBe` []
       neighbours it_ (readFaceName "X Y Z") `shouldBe` []

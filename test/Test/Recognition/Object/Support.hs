@@ -1,5 +1,5 @@
--- | What the tests of objects share: the canonical layout, written down a second time from its
--- definition, in whole micrometres and by cells, and nothing of the code under test but the names.
+-- | The shared parts of the tests of objects: the canonical layout, written a second time from its
+-- definition in whole micrometres and cells, using only names from the code under test.
 module Test.Recognition.Object.Support
   ( -- * Expectations
     module Test.Support,
@@ -80,7 +80,7 @@ blockCells block =
 everyPosition :: [Position]
 everyPosition = [Position r c | r <- below 15, c <- below 17]
 
--- | Which blocks, and which of their cells, claim each cell of the array.
+-- | The blocks, and their cells, that claim each cell of the array.
 owners :: Map.Map Position [(Int, Position)]
 owners =
   Map.fromListWith
@@ -90,7 +90,7 @@ owners =
         (cell, local) <- blockCells block
     ]
 
--- | The definition, cell by cell: all the window's cells are looked up one by one.
+-- | The place of a window by definition: all its cells are looked up one by one.
 expectedWhereabouts :: Shape -> Position -> Whereabouts
 expectedWhereabouts (Shape high wide) (Position r c) = case traverse cellOwner offsets of
   Just ((index, local) : others)

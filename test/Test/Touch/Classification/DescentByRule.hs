@@ -1,4 +1,4 @@
--- | The rule of descent, and the images that a network is trained with.
+-- | Tests the rule of descent, and the images that a network is trained with.
 module Test.Touch.Classification.DescentByRule (spec) where
 
 import Control.Monad (forM_)
@@ -34,7 +34,7 @@ spec = do
 
 descentSpec :: Spec
 descentSpec = do
-  it "by hand: E(x) = x^2 from 1 at the rate 1: tolerated, undone, lower, undone" $ do
+  it "by hand, E(x) = x^2 from 1 at the rate 1 goes: tolerated, undone, lower, undone" $ do
     let rule = toolboxDescent {initialRate = 1, epochs = 4}
         run = toList (descend rule parabola (V.fromList [1]))
     map epochOutcome run `shouldBe` [Begun, Tolerated, Undone, Lower, Undone]
@@ -43,7 +43,7 @@ descentSpec = do
     [map epochError run] `shouldSatisfy` near [[1, 1, 1, 0.16, 0.16]]
     [map epochGradient run] `shouldSatisfy` near [[2, 2, 2, 0.8, 0.8]]
     fmap (stopped toolboxDescent {epochs = 4}) (lastOf run) `shouldBe` Just (Just EpochsSpent)
-  it "over any error: each epoch as the rule's formulas have it, on lists" $
+  it "each epoch on any error follows the rule's formulas on lists" $
     forAllBlind genBowl $ \(bowl, start) -> forAll genDescent $ \rule ->
       let run = toList (descend rule (onVector bowl) (V.fromList start))
           wanted = byFormulas rule bowl start
@@ -51,7 +51,7 @@ descentSpec = do
             map epochOutcome run === map outcomeOf wanted
               .&&. property (near [map epochRate run] [map rateOf wanted])
               .&&. property (near (map (V.toList . epochPoint) run) (map pointOf wanted))
-  it "ends at the goal, at a gradient below the least, or after so many epochs, undone or not" $ do
+  it "ends at the goal, at a vanishing gradient, or after the last epoch, undone or not" $ do
     let why how start =
           let end = lastEpoch (descend how parabola (V.fromList start))
            in (stopped how end, epochNumber end)
@@ -64,7 +64,7 @@ descentSpec = do
     why rule {epochs = 0} [1] `shouldBe` (Just EpochsSpent, 0)
     why rule [0] `shouldBe` (Just GoalReached, 0)
   modifyMaxSuccess (const 60)
-    . it "of a network it is the descent of its squared error along its gradient"
+    . it "of a network is the descent of its squared error along its gradient"
     $ forAllBlind genProblem $ \(n, images) -> forAll genDescent $ \rule ->
       let outcome = do
             b <- batch (outputCount n) images
@@ -89,7 +89,7 @@ descentSpec = do
               counterexample (show (apart, end)) $
                 (epochOutcome end, any (< 1e-9) apart) === (outcomeOf wanted, True)
                   .&&. property (near [[epochRate end]] [[rateOf wanted]])
-  it "an error that grew by less is kept, at the same rate; the limit itself is not too much" $ do
+  it "keeps a step that raises the error by the limit at most, at the same rate" $ do
     let end rise = lastEpoch (descend (limited rise) parabola (V.fromList [1]))
         -- One step from 1 to -2: the error is four times as great.
         limited rise =
@@ -97,14 +97,14 @@ descentSpec = do
         kept rise = (epochOutcome (end rise), epochRate (end rise))
     map kept [4.001, 4] `shouldBe` replicate 2 (Tolerated, 1.5)
     kept 3.999 `shouldBe` (Undone, 1.5 * 0.7)
-  it "what diverges is no network" $
+  it "that diverges gives no network" $
     ( do
         n <- network (fromLists [replicate 97 0]) (fromLists [[0, 0]])
         b <- batch 1 [(constant 8 12 1, Just 0)]
         fst <$> train shippedDescent {initialRate = 1 / 0, epochs = 3} b n
     )
       `shouldBe` Left NotFinite
-  it "begins with weights uniform between -0.1 and 0.1, of as many units as are asked for" $ do
+  it "begins with weights uniform between -0.1 and 0.1, for the requested units" $ do
     let begun hidden outs = fst <$> initialNetwork hidden outs (mkStdGen 5)
     case begun 8 4 of
       Right n -> do
@@ -113,7 +113,7 @@ descentSpec = do
           \(weights, count) -> do
             length (nub weights) `shouldBe` count
             let few = fromIntegral count :: Double
-                -- The largest of so many uniform draws is this far from the end, once in 150.
+                -- The largest of this many uniform draws is this far from the end once in 150.
                 reached = 0.2 * 5 / few
             (minimum weights, maximum weights)
               `shouldSatisfy` \(least, most) ->
@@ -131,7 +131,7 @@ descentSpec = do
     inRows :: Int -> [Double] -> Matrix Double
     inRows width = fromLists . takeWhile (not . null) . unfoldr (Just . splitAt width)
 
--- | The formulas of traingdx on lists: what became of the step, the point, the rate.
+-- | The formulas of traingdx on lists: the outcome, the point and the rate of an epoch.
 data Formulas = Formulas {outcomeOf :: Outcome, pointOf :: [Double], rateOf :: Double}
 
 -- | From before the first epoch to the last.
@@ -184,7 +184,7 @@ genDescent = do
         firstChange = begin
       }
 
--- | The error sum (a_i x_i^2 + b_i x_i^4), with its gradient, and a point to begin at.
+-- | The error sum (a_i x_i^2 + b_i x_i^4), with its gradient, and a starting point.
 genBowl :: Gen ([Double] -> (Double, [Double]), [Double])
 genBowl = do
   n <- choose (1, 3)
@@ -218,7 +218,7 @@ seenSpec = do
     $ forAll genView $ \view -> forAll (choose (0, 3)) $ \c ->
       whenRight paperAlphabet $ \known ->
         let shape = shapes known !! c
-            -- The margin of eight taxels is flat; beyond it all goes on so.
+            -- The margin of eight taxels is flat, and everything beyond it.
             cells = generate 24 28 (\x y -> if embossedAt shape (x - 8) (y - 8) then 1 else 0)
             half sign x y =
               sum
@@ -240,7 +240,7 @@ seenSpec = do
             wanted = generate 8 12 pixel
          in counterexample (show (toRows seen, toRows wanted)) $
               V.all ((< 1e-9) . abs) (V.zipWith (-) (rasterValues seen) (rasterValues wanted))
-  it "as stitching leaves them: each fault uniform within its bounds, whatever the others are" $
+  it "have the faults of stitching, each uniform within its bounds and independent of the others" $
     forM_ [0.1, 0.7, 2] $ \most -> do
       let views = map (fst . stitchedView most . mkStdGen) [1 .. 1000]
           faults =
@@ -255,8 +255,8 @@ seenSpec = do
             ]
           -- Each from 0 to 1.
           shares = [[(f v - low) / (high - low) | v <- views] | (f, low, high) <- faults]
-          -- How far the share of draws below each is from what it is of uniform ones: Kolmogorov's
-          -- statistic, above 1.95 once in a thousand.
+          -- The distance between the share of draws below each and that of uniform ones:
+          -- Kolmogorov's statistic, above 1.95 once in a thousand.
           statistic draws = sqrt 1000 * maximum (zipWith off [0 ..] (sort draws))
           off i t = max (abs (t - i / 1000)) (abs (t - (i + 1) / 1000)) :: Double
           -- Twelve times the mean product is a correlation.
@@ -265,7 +265,7 @@ seenSpec = do
       map statistic shares `shouldSatisfy` all (< 1.95)
       [abs (alike us vs) | us : others <- tails shares, vs <- others]
         `shouldSatisfy` all (< 5 / sqrt 1000)
-  it "of two shapes are the first at the left, or above, and the second beyond the middle" $
+  it "of two shapes show the first at the left, or above, and the second beyond the middle" $
     whenRight paperAlphabet $ \known ->
       forAll ((,) <$> elements (shapes known) <*> elements (shapes known)) $ \(a, b) ->
         let bit' shape x y = if embossedAt shape x y then 1 else 0
@@ -273,7 +273,7 @@ seenSpec = do
             over = generate 8 12 (\x y -> bit' (if y < 6 then a else b) x y)
          in map (see exactView) [besideScene a b, overScene a b, flatScene]
               === [beside, over, constant 8 12 0]
-  it "with a part that was not seen are flat in a corner, or repeat what is next to a margin" $
+  it "with an unseen part are flat in a corner, or repeat the taxels beside a margin" $
     forAll genUnseen $ \unseen ->
       forAll ((,) <$> choose (4, 8) <*> choose (4, 8)) $ \(w, h) ->
         forAll (genRasterOf w h) $ \image ->
@@ -308,7 +308,7 @@ seenSpec = do
 
 roundSpec :: Spec
 roundSpec = do
-  it "of a round are those of each kind in turn, of each shape: so many, with its class if right" $
+  it "of a round come by kind and shape, in the given numbers, with the class if right" $
     forAll (choose (0, 3) >>= (`vectorOf` ((,) <$> elements [minBound ..] <*> choose (0, 3)))) $
       \makeup -> whenRight paperAlphabet $ \known ->
         map snd (fst (roundImages makeup [0, 0.1] known (mkStdGen 3)))
@@ -317,16 +317,16 @@ roundSpec = do
                   k <- [0 .. 3],
                   _ <- [1 .. count]
               ]
-  it "have the noises in turn, for each shape from the first; of no noises none" $
+  it "take the noises in turn, for each shape from the first; without noises they have none" $
     whenRight paperAlphabet $ \known -> do
-      -- A flat face is seen as one value, of whose spread noise alone is the cause.
+      -- A flat face has a single value, so noise alone causes its spread.
       let spreads noises =
             [ fromMaybe 0 (standardDeviation image)
               | (image, _) <- fst (roundImages [(Bare, 5)] noises known (mkStdGen 4))
             ]
           inTurn = concat (replicate 4 (take 5 (cycle [0.3, 0, 0.02])))
       spreads [] `shouldSatisfy` all (< 1e-9)
-      -- What is below 0 is clipped, so that there may be less.
+      -- Values below 0 are clipped, which may lower the spread.
       zip inTurn (spreads [0.3, 0, 0.02])
         `shouldSatisfy` all
           ( \(noise, spread) -> case noise :: Double of
@@ -334,10 +334,10 @@ roundSpec = do
               0.3 -> spread > 0.09 && spread < 0.39
               _ -> spread > 1e-6 && spread < 0.03
           )
-  it "are of their kinds" $
+  it "show what their kinds demand" $
     whenRight paperAlphabet $ \known -> do
       let of' kind = map fst (fst (roundImages [(kind, 20)] [0] known (mkStdGen 5)))
-          -- The class of the shape that is likest, in its place.
+          -- The class of the shape that is most similar, in its place.
           likest image = snd (maximum [(match (templates known) k image, k) | k <- [0 .. 3]])
           own = concatMap (replicate 20) [0 .. 3]
           agreeing turn kind =

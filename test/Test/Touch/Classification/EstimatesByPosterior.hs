@@ -1,7 +1,7 @@
 {-# OPTIONS_GHC -O1 #-}
 
--- | What recognising a symbol is made of, each part against its definition: how like a shape an
--- image is, and how sure an estimate.
+-- | Tests the parts of recognising a symbol, each against its definition: the likeness of an image
+-- to a shape, and the certainty of an estimate.
 module Test.Touch.Classification.EstimatesByPosterior (spec) where
 
 import Data.Bifunctor (first)
@@ -37,11 +37,11 @@ spec = do
   describe "Likeness" likenessSpec
   describe "Estimates" estimateSpec
   describe "A part of a symbol" partSpec
-  it "of no levels of noise, images are as of none; those of symbols alone are of a class" $ do
+  it "images without noise levels have noise 0, and symbols alone have a class" $ do
     let made noises = fst (roundImages [(Upright, 2), (Bare, 3)] noises known (mkStdGen 7))
     made [] `shouldBe` made [0]
     map snd (made []) `shouldBe` concat [[Just k, Just k] | k <- [0 .. 3]] ++ replicate 12 Nothing
-  it "steps are counted from 1, and come to the same result" $
+  it "counting steps from 1 leaves their result" $
     property $ \steps ->
       let those = foldr Step (Done 'r') (steps :: [Int])
        in (stepsDone (counted those), result (counted those)) === ([1 .. length steps], 'r')
@@ -55,8 +55,8 @@ known = readerAlphabet paperReader
 seen :: Templates
 seen = readerTemplates paperReader
 
--- | A shape moved by so many taxels to the right and down, between its taxels in proportion; flat
--- outside its box.
+-- | A shape moved right and down by these taxels, interpolated between its taxels; flat outside its
+-- box.
 moved :: Bitmap -> (Double, Double) -> [[Double]]
 moved shape (dx, dy) =
   [ [ sum
@@ -83,15 +83,15 @@ likenessSpec = do
               (match seen c image)
             | (c, shape) <- zip [0 ..] (shapes known)
           ]
-  it "has a template a shape" $ templateCount seen `shouldBe` length (shapes known)
-  it "is the same of an image at any gain, however faint" $
+  it "has one template for each shape" $ templateCount seen `shouldBe` length (shapes known)
+  it "does not change with the gain of an image, however faint" $
     withMaxSuccess 15 $
       forAll (genRasterOf 8 12) $ \image -> forAll (elements [1e-3, 0.1, 30]) $ \gain ->
         conjoin
           [ near (match seen c image) (match seen c (mapRaster (\v -> 0.3 + gain * v) image))
             | c <- [0 .. 3]
           ]
-  it "is 0 of what is alike everywhere, of another size, and to a class that there is not" $ do
+  it "is 0 for a constant image, for another size, and for an unknown class" $ do
     let shape = generate 8 12 (\x y -> fromIntegral (x * y))
     [match seen c (constant 8 12 v) | c <- [0 .. 3], v <- [0, 0.3, 0.5, 1]]
       `shouldSatisfy` all ((< 1e-9) . abs)
@@ -99,7 +99,7 @@ likenessSpec = do
       match seen 0 (generate w h (\x y -> fromIntegral (x * y))) `shouldBe` 0
     [match seen c shape | c <- [-1, 4]] `shouldBe` [0, 0]
     [squaredDistances seen c shape shape | c <- [-1, 4]] `shouldBe` [[], []]
-  it "by distance: the sum of squares where the weight is, for each move by up to a taxel" $
+  it "by distance is the weighted sum of squares, for each move by up to a taxel" $
     withMaxSuccess 15 $
       forAll ((,) <$> genRasterOf 8 12 <*> genRasterOf 8 12) $ \(image, weight) ->
         conjoin
@@ -136,7 +136,7 @@ correlation us vs = product' a b / sqrt (product' a a * product' b b)
 
 estimateSpec :: Spec
 estimateSpec = do
-  it "are as probable as outputs, likenesses and offsets say" $
+  it "have the probabilities that outputs, likenesses and offsets give" $
     withMaxSuccess (byEffort 60 200) $
       forAll
         ( (,,,) <$> genCalibration <*> genRasterOf 8 12 <*> vectorOf 4 genOutput
@@ -177,7 +177,7 @@ estimateSpec = do
                   near 0 (estimateChance e (4, identity)),
                   near (max (-9) (min 9 ratio)) (estimateForeignShape e)
                 ]
-  it "a calibration is found again from choices that are drawn by it" $ do
+  it "a calibration is recovered from choices drawn by it" $ do
     let true = [0.8, -1.5]
         drawnChoice g =
           let (xs, g') = drawnMany 6 g
@@ -189,14 +189,14 @@ estimateSpec = do
         choices = take 4000 (unfoldr (Just . drawnChoice) (mkStdGen 3))
         found = V.toList (conditionalLogit (V.fromList [0, 0]) (V.fromList [0.01, 0.01]) choices)
     for_ (zip true found) $ \(wanted, came) -> abs (wanted - came) `shouldSatisfy` (< 0.1)
-  it "a calibration without information is the prior's mean, however sure the prior is" $
+  it "a calibration without information is the prior's mean, whatever its precision" $
     forAll ((,) <$> vectorOf 3 (choose (-9, 9)) <*> vectorOf 3 (choose (0.01, 99))) $
       \(means, precisions) -> forAll (listOf (vectorOf 3 (choose (-2, 2)))) $ \alternatives ->
-        -- Alternatives that are alike tell nothing, whichever is chosen.
+        -- Equal alternatives contain no information, whichever is chosen.
         let alike = [(x, [x, x, x]) | x <- map V.fromList alternatives]
          in conditionalLogit (V.fromList means) (V.fromList precisions) alike
               === V.fromList means
-  it "a calibration is where likelihood and prior balance: their slope is 0" $
+  it "a calibration is where likelihood and prior balance: the slope is 0" $
     forAll ((,) <$> vectorOf 2 (choose (-1, 1)) <*> vectorOf 2 (choose (0.1, 9))) $
       \(means, precisions) -> forAll (choose (1, 30) >>= (`vectorOf` genChoice)) $ \choices ->
         let w = conditionalLogit (V.fromList means) (V.fromList precisions) choices
@@ -210,7 +210,7 @@ estimateSpec = do
               let powers = [exp (V.sum (V.zipWith (*) w x)) | x <- xs]
                in map (/ sum powers) powers
          in conjoin [counterexample (show (i, slope i)) (abs (slope i) < 1e-6) | i <- [0, 1]]
-  it "a calibration from each choice twice is that from each once under half the prior" $
+  it "a calibration on each choice twice is the one on each once under half the prior" $
     forAll (vectorOf 2 (choose (0.1, 9))) $ \precisions ->
       forAll (choose (1, 30) >>= (`vectorOf` genChoice)) $ \choices ->
         let found prior = conditionalLogit (V.fromList [0.5, -0.5]) (V.fromList prior)
@@ -218,7 +218,7 @@ estimateSpec = do
             once' = found (map (/ 2) precisions) choices
          in counterexample (show (twice, once')) $
               V.and (V.zipWith (\a b -> abs (a - b) < 1e-6) twice once')
-  it "is read as it is written" $
+  it "a calibration is read as it was written" $
     forAll ((,) <$> choose (1, 9) <*> vectorOf 20 arbitrary) $ \(q, numbers) ->
       let some from count = take count (drop from numbers)
           written = Calibration (numbers !! 0) (numbers !! 1) (some 6 q) (some 2 4)
@@ -240,12 +240,12 @@ estimateSpec = do
 
 partSpec :: Spec
 partSpec = do
-  it "is in doubt by what is nothing of the kind at least, however well one shape alone fits" $ do
+  it "is at least as doubtful as a free shape makes it, however well one shape fits" $ do
     for_ [1 .. 12] $ \rows ->
       minimum [doubtOf rows c | c <- [0 .. 3]]
         `shouldSatisfy` (> 7 / 8 * nothingOfTheKind (8 * fromIntegral rows) - 1e-12)
     maximum [doubtOf 12 c | c <- [0 .. 3]] `shouldSatisfy` (< 0.0011)
-  it "is each shape moved a little, flat, or nothing of the kind: the posterior of all these" $
+  it "is each shape moved a little, flat, or a free shape: the posterior of all these" $
     withMaxSuccess (byEffort 20 60) $
       forAll (elements [0, 0.5, 1, 2]) $ \sigma ->
         forAll (choose (1, 12) >>= \rows -> (,) rows <$> genRasterOf 8 rows) $ \(rows, image) ->
@@ -254,7 +254,7 @@ partSpec = do
               (distances, flat) = partDistances seen part
               least = minimum (flat : concatMap (map snd . snd) distances)
               asOne = 3500 / fromIntegral (separation known) ** 2 + 0.75 * sigma ** 2
-              -- By a normal law of each variance of a taxel, e^u times the likeliest one's.
+              -- By a normal law for each variance of a taxel, e^u times the likeliest one's.
               byVariance d =
                 sum
                   [ exp (taxels / (2 * asOne) * (1 - u - ratio * exp (negate u)))
@@ -282,7 +282,7 @@ partSpec = do
     doubtOf rows c =
       let part = upper rows (toRaster (shapes known !! c))
        in estimateDoubt (estimatePart seen 0 part)
-    -- Only the upper rows are seen, of which the image has at least as many.
+    -- Only the upper rows are seen; the image has at least as many.
     upper rows image =
       Part
         (generate 8 12 (\x y -> if y < rows then fromMaybe 0 (index image x y) else 0))

@@ -1,3 +1,4 @@
+-- | Tests training: batches, gradients against finite differences, descent, synthetic images.
 module Test.Touch.Classification.GradientByDifferences (spec) where
 
 import Data.List (sort)
@@ -22,7 +23,7 @@ import Test.Touch.Paper (paperAlphabet)
 spec :: Spec
 spec = do
   describe "A batch" $
-    it "refuses no images, images that are not 8 x 12, and classes that are not" $
+    it "refuses no images, images that are not 8 x 12, and unknown classes" $
       [ either Just (const Nothing) (batch 2 images)
         | images <-
             [ [],
@@ -86,7 +87,7 @@ spec = do
         `shouldBe` Left (WrongOutputCount 3 2)
 
   describe "Descent" $ do
-    it "lessens the error within 50 epochs" $
+    it "lowers the error within 50 epochs" $
       property $
         withMaxSuccess 10 $
           forAll problemGen $ \(n, images) ->
@@ -96,14 +97,14 @@ spec = do
               Left refusal -> counterexample (show refusal) False
 
   describe "A training" $ do
-    it "from the same seed gives the same network to the bit; from another, another" $ do
+    it "with one seed gives one network to the bit, and with another seed another network" $ do
       let trained seed =
             paperAlphabet' >>= \a -> either (Left . show) (Right . fst) (trainWith short a seed)
           short = byEffort (regimenOf 25 20) (regimenOf 5 200)
           first = trained 5
       trained 5 `shouldBe` first
       (trained 6 == first) `shouldBe` False
-    whenFull . it "400 epochs on a fifth of the images tell all clean shapes and half turns" $ do
+    whenFull . it "of 400 epochs on a fifth of the images finds clean shapes and half turns" $ do
       let verdicts = do
             a <- paperAlphabet'
             (n, _) <- either (Left . show) Right (trainWith (regimenOf 5 200) a 5)
@@ -123,7 +124,7 @@ spec = do
       map (maximum . stageNoise) (stages shippedRegimen) `shouldBe` [0, 0.1, 0.15, 0.2, 0]
       map (minimum . stageNoise) (stages shippedRegimen) `shouldBe` replicate 5 0
       map (length . stageNoise) (stages shippedRegimen) `shouldBe` [1, 2, 2, 2, 1]
-    it "a batch of it has of each class as many images of each sort as is said" $ do
+    it "has the stated number of images of each sort for each class" $ do
       let among kinds = sum [n | (kind, n) <- composition shippedRegimen, kind `elem` kinds]
           upsideDown = [UpsideDown, CurtailedUpsideDown]
       among [Upright, Curtailed] `shouldBe` 375
@@ -134,20 +135,20 @@ spec = do
       sort (map fst (composition shippedRegimen)) `shouldBe` [minBound .. maxBound]
 
   describe "Synthetic images" $ do
-    it "exactly seen, a symbol is its bitmap" $
+    it "a symbol in an exact view is its bitmap" $
       onShapes $ \b -> see exactView (symbolScene b) `shouldBe` toRaster b
-    it "shifted by whole taxels, it is its bitmap shifted" $
+    it "a symbol shifted by whole taxels is its bitmap shifted" $
       onShapes $ \b ->
         see exactView {viewShift = (2, -1)} (symbolScene b)
           `shouldBe` generate 8 12 (\x y -> bit (embossedAt b (x - 2) (y + 1)))
-    it "shifted by half a taxel, each taxel is the mean of the two it lies across" $
+    it "a symbol shifted by half a taxel has in each taxel the mean of the two it lies across" $
       onShapes $ \b ->
         see exactView {viewShift = (0.5, 0)} (symbolScene b)
           `shouldBe` generate
             8
             12
             (\x y -> (bit (embossedAt b x y) + bit (embossedAt b (x - 1) y)) / 2)
-    it "blurred by 0.4 along the rows, each taxel is 0.2, 0.6 and 0.2 of three" $
+    it "a symbol blurred by 0.4 along the rows has in each taxel 0.2, 0.6 and 0.2 of three" $
       onShapes $ \b ->
         toRows (see exactView {viewBlur = (0.4, 0)} (symbolScene b))
           `shouldSatisfy` \seen ->
@@ -171,7 +172,7 @@ spec = do
                 ++ map (take 8 . drop 2) lying
                 ++ replicate 2 (replicate 8 False)
          in toRows (see exactView (sidewaysScene b)) `shouldBe` map (map bit) expected
-    it "with noise lie from 0 to 1 in steps of 1/255; without, they are the nearest such" $
+    it "values with noise lie from 0 to 1 in steps of 1/255; without, they are the nearest steps" $
       property $ \seed -> forAll (choose (0, 0.5)) $ \deviation ->
         let image = constant 8 12 0.5
             (noisy, _) = withNoise deviation image (mkStdGen seed)
@@ -187,13 +188,13 @@ spec = do
                   steps
               )
               .&&. plain === constant 8 12 (128 / 255)
-    it "the noise has the standard deviation asked for" $ do
+    it "the noise has the requested standard deviation" $ do
       let (noisy, _) = withNoise 0.1 (constant 100 100 0.5) (mkStdGen 1)
           deviations = map (subtract 0.5) (V.toList (rasterValues noisy))
-      -- The standard error of a standard deviation from 10^4 draws is 0.7 %; four of them, and the
+      -- The standard error of a standard deviation from 10^4 draws is 0.7 %: four of them, and the
       -- rounding.
       sqrt (sum (map (^ (2 :: Int)) deviations) / 10000) `shouldSatisfy` \s -> abs (s - 0.1) < 0.003
-    it "a corner or a margin not seen is flat, or goes on as was seen last, and the rest stays" $ do
+    it "an unseen corner is flat, an unseen margin repeats the last seen, and the rest stays" $ do
       let image = generate 8 12 (\x y -> fromIntegral (100 * x + y + 1))
           cell unseen x y = index (withUnseen unseen image) x y
           corner = CornerUnseen (Corner True False 2 3)
@@ -207,7 +208,7 @@ errorBefore, errorAfter :: Trace -> Double
 errorBefore = epochError . NonEmpty.head
 errorAfter = epochError . lastEpoch
 
--- | Two rounds of so many epochs, on one of so many of the images.
+-- | A regimen of two rounds on one of this many parts of the images, with this many epochs each.
 regimenOf :: Int -> Int -> Regimen
 regimenOf share many =
   shippedRegimen
@@ -234,7 +235,7 @@ bit e = if e then 1 else 0
 at :: Bitmap -> Int -> Int -> Double
 at b x y = bit (embossedAt b x y)
 
--- | The matrix with one entry changed by so much.
+-- | The matrix with one entry changed by this amount.
 nudged :: (Int, Int) -> Double -> Matrix Double -> Matrix Double
 nudged p e m = accum m (+) [(p, e)]
 

@@ -1,8 +1,8 @@
 {-# LANGUAGE OverloadedStrings #-}
 {-# OPTIONS_GHC -O1 #-}
 
--- | Networks, their verdicts and files, and what the shipped one makes of images. The conformance
--- laws of networks define its outputs.
+-- | Tests networks, their verdicts and files, and the shipped network's verdicts on images. The
+-- conformance laws of networks define its outputs.
 module Test.Touch.Classification.NetworksAndVerdicts (spec) where
 
 import Control.Monad (forM_, replicateM)
@@ -38,7 +38,7 @@ import Test.Touch.Paper (paperAlphabet, paperNetwork)
 spec :: Spec
 spec = do
   describe "A network" $ do
-    it "is h x 97 hidden and q x (h + 1) output units, and nothing else" $ do
+    it "has h x 97 hidden and q x (h + 1) output weights, and refuses other sizes" $ do
       let units r c = fromLists (replicate r (replicate c 0.5))
       let found =
             [ (r1, c1, r2, c2)
@@ -49,12 +49,12 @@ spec = do
                 isRight (network (units r1 c1) (units r2 c2))
             ]
       found `shouldBe` [(1, 97, 1, 2), (1, 97, 4, 2), (2, 97, 1, 3), (2, 97, 4, 3)]
-    it "has no weight that is not a finite number" $
+    it "has only finite weights" $
       [ network (fromLists [replicate 96 0 ++ [w]]) (fromLists [[0, 0]])
         | w <- [1 / 0, -1 / 0, 0 / 0]
       ]
         `shouldBe` replicate 3 (Left NotFinite)
-    it "outputs of many images are those of each alone" $
+    it "outputs many images as it outputs each alone" $
       property $
         forAll ((,) <$> networkGen <*> listOf1 imageGen) $ \(n, drawn) ->
           whenRight (traverse (outputs n) drawn) $ \each ->
@@ -77,11 +77,11 @@ spec = do
                 ]
     withCases 25 100 . it "sigmoid x = 1 / (1 + e^-x)" $
       property $
-        -- Where the powers of two end between which e^x is a series, too.
+        -- Also where the powers of two end between which e^x is a series.
         forAll (oneof [choose (-40, 40), besidePowers]) $ \x ->
           let wanted = 1 / (1 + toThe (negate (toRational x)))
            in abs (toRational (sigmoid x) / wanted - 1) < 3e-16
-    it "sigmoid is the same from -700 down" $ do
+    it "sigmoid is constant from -700 down" $ do
       map sigmoid [-700.001, -1e4, -1 / 0] `shouldBe` replicate 3 (sigmoid (-700))
       sigmoid (-700) `shouldSatisfy` (\y -> abs (y / exp (-700) - 1) < 1e-14)
     it "sigmoid rises from about 0 to 1, however far from 0 its argument" $ do
@@ -93,7 +93,7 @@ spec = do
       property $ \x -> abs (sigmoid x + sigmoid (-x) - 1) < 1e-15
 
   describe "A verdict" $ do
-    it "is the class k just when output k is high enough and leads all others by enough" $
+    it "is the class k exactly if output k is high enough and leads all others by enough" $
       sequence_
         [ (high, lead, decide (Thresholds high lead) values) `shouldSatisfy` \(_, _, v) ->
             let winners = winnersBy high lead values
@@ -111,9 +111,9 @@ spec = do
             high <- quarters,
             lead <- drop 1 quarters
         ]
-    it "on no outputs at all is no symbol" $
+    it "on no outputs is no symbol" $
       decide standardThresholds [] `shouldBe` NoSymbol 0
-    it "on outputs that are not numbers is a refusal" $
+    it "on NaN outputs recognises nothing" $
       [ v
         | i <- [0 .. 2 :: Int],
           let v = decide standardThresholds [if i == j then 0 / 0 else 0.1 | j <- [0 .. 2]],
@@ -122,9 +122,9 @@ spec = do
         `shouldBe` []
 
   describe "A network file" $ do
-    it "read, is the network it was written from, to the bit" $
+    it "that is read is the network it was written from, to the bit" $
       property $ forAll networkGen $ \n -> parseNetwork (renderNetwork n) === Right n
-    it "is refused where it goes astray, with the line" $ do
+    it "is refused at its first fault, with the line" $ do
       let good =
             "pra-tactile network 1\ninputs 96 hidden 1 outputs 1\n"
               <> T.unwords (replicate 97 "0.5")
@@ -144,7 +144,7 @@ spec = do
           T.replace "2.0" "1-2" good,
           T.replace "1.0 2.0\n" "" good,
           good <> "1.0 2.0\n",
-          -- Of a last number some digits may be cut off.
+          -- Some digits of a last number may be cut off.
           T.dropEnd 1 good,
           T.dropEnd 3 good
         ]
@@ -178,7 +178,7 @@ spec = do
           digits n = "0." <> T.replicate (n - 2) "5"
       forM_ [3, 402, 1000, 1001] $ \n ->
         (n, isRight (with (digits n))) `shouldBe` (n, n <= 1000)
-    it "does not hold numbers too large for a Double; their line is named" $
+    it "with numbers too large for a Double is refused with their line" $
       fmap
         (const ())
         ( parseNetwork
@@ -210,49 +210,49 @@ spec = do
                 ]
         ]
           `shouldSatisfy` all (either (const False) refused)
-    it "the paper's figure: at noise up to 0.5 fewer than 0.6 % misread, none wrong" $
+    it "misreads fewer than 0.6 % at noise up to 0.5 (the paper's figure), and answers none wrong" $
       onShipped $ \n a ->
         [ (deviation, tallied n (Just k) images (withNoise deviation (toRaster shape)) (1 + k))
           | deviation <- [0, 0.05 .. 0.5],
             (k, shape) <- zip [0 ..] (shapes a)
         ]
           `shouldSatisfy` all (\(_, t) -> tallyWrong t == 0 && 1000 * tallyOutvoted t < 6 * images)
-    it "misplaced by up to 0.7 taxel, blurred and torn: none wrong, 0.3 % refused" $
+    it "answers no image wrong that is displaced by up to 0.7 taxel, blurred, torn: 0.3 % refused" $
       onShipped $ \n a ->
         specimens n a Upright 2
           `shouldSatisfy` all (\t -> tallyWrong t == 0 && 1000 * tallyRefused t < 3 * images)
-    it "the same, not seen completely: none wrong, fewer than 6 % refused" $
+    it "answers no such image wrong that is incomplete: fewer than 6 % refused" $
       onShipped $ \n a ->
         specimens n a Curtailed 3
           `shouldSatisfy` all (\t -> tallyWrong t == 0 && 100 * tallyRefused t < 6 * images)
-    it "takes no image of each class turned by 180 degrees for an upright symbol" $
+    it "takes no image of a class turned by 180 degrees for an upright symbol" $
       onShipped $ \n a ->
         specimens n a UpsideDown 4 `shouldSatisfy` all ((== images) . tallyRefused)
-    it "takes fewer than 0.2 % of any other impostors for a symbol" $
+    it "takes fewer than 0.2 % of all other impostors for a symbol" $
       onShipped $ \n a ->
         [ (kind, sum (map (\t -> images - tallyRefused t) tallies), length tallies)
           | kind <- impostors,
             let tallies = specimens n a kind 5
         ]
           `shouldSatisfy` all (\(_, taken, drawn) -> 500 * taken < drawn * images)
-    it "with another number of classes than the alphabet a network gives no estimate" $
+    it "gives no estimate if it has another number of classes than the alphabet" $
       onShipped $ \_ a -> do
         single <- right (network (fromLists [replicate 97 0]) (fromLists [[0, 0]]))
         (() <$ estimate (standardCalibration 4) (templates a) single (constant 8 12 0))
           `shouldBe` Left (WrongOutputCount 1 4)
 
--- | What became of a number of images.
+-- | The verdicts on a number of images.
 data Tally = Tally
   { -- | recognised as another class
     tallyWrong :: Int,
     tallyRefused :: Int,
-    -- | another class's output is the greatest, whatever the verdict: the paper's error, which
-    -- knows no refusal
+    -- | another class's output is the greatest, whatever the verdict: the paper's error, which has
+    -- no refusal
     tallyOutvoted :: Int
   }
   deriving stock (Show)
 
--- | So many images of a class, or of none, drawn one after the other from a seed.
+-- | The verdicts on this many images of a class, or of none, drawn one after the other from a seed.
 tallied :: Network -> Maybe Int -> Int -> (StdGen -> (Raster, StdGen)) -> Int -> Tally
 tallied n class' count draw seed =
   Tally
@@ -264,7 +264,7 @@ tallied n class' count draw seed =
     drawn = take count (unfoldr (Just . draw) (mkStdGen seed))
     greatest values = elemIndex (maximum values) values
 
--- | How many images of each kind and class are looked at.
+-- | The number of images of each kind and class.
 images :: Int
 images = byEffort 350 1100
 
@@ -299,7 +299,7 @@ refused _ = True
 quarters :: [Double]
 quarters = [0, 0.25, 0.5, 0.75, 1]
 
--- | The classes whose outputs are that high and lead all others by that much.
+-- | The classes whose outputs are this high and lead all others by this much.
 winnersBy :: Double -> Double -> [Double] -> [Int]
 winnersBy high lead values =
   [ k

@@ -1,4 +1,4 @@
--- | Whether an image shows one of the shapes or another.
+-- | Tests whether an image shows one of the shapes or another shape.
 module Test.Touch.Classification.OtherShapes (spec) where
 
 import Data.Foldable (for_)
@@ -18,7 +18,7 @@ import Test.Touch.Image.RastersAndCorrelation (genRasterOf)
 
 spec :: Spec
 spec = do
-  it "no drawing of a third to two thirds of the blocks is more like an image than the free shape" $
+  it "no drawing of a third to two thirds of the blocks fits an image better than the free shape" $
     forAllBlind (genRasterOf 8 12) $ \image ->
       forAllBlind genDrawing $ \blocks ->
         counterexample (show (correlated image (drawn blocks), freeFormCorrelation image)) $
@@ -28,7 +28,7 @@ spec = do
       forAll ((,) <$> choose (0.1, 9) <*> choose (-3, 3)) $ \(gain, offset) ->
         let free = freeFormCorrelation (mapRaster (\v -> gain * v + offset) (drawn blocks))
          in counterexample (show free) (abs (free - 1) < 1e-9)
-  it "a symbol's own image is surely none of another shape; one of another shape is" $ do
+  it "a symbol's own image is surely not another shape; an image of another shape surely is" $ do
     reader <- right (shippedReader 4)
     let known = readerAlphabet reader
         unlike =
@@ -47,7 +47,7 @@ spec = do
     drawn blocks =
       generate 8 12 (\x y -> if 4 * (y `div` 2) + x `div` 2 `elem` blocks then 1 else 0)
 
--- | The correlation coefficient, by its definition; 0 where either has one value throughout.
+-- | The correlation coefficient, by its definition; 0 if either image is constant.
 correlated :: Raster -> Raster -> Double
 correlated a b = if va * vb <= 0 then 0 else V.sum (V.zipWith (*) a' b') / sqrt (va * vb)
   where

@@ -1,4 +1,4 @@
--- | The paper's experiment: its images, its stages, its counts.
+-- | Tests the paper's experiment: its images, its stages, its counts.
 module Test.Touch.Classification.PaperExperiment (spec) where
 
 import Control.Monad (forM_)
@@ -67,23 +67,23 @@ alike a b = V.sum (V.zipWith (*) (unit a) (unit b))
           centred = V.map (subtract (V.sum v / fromIntegral (V.length v))) v
        in V.map (/ sqrt (V.sum (V.map (^ (2 :: Int)) centred))) centred
 
--- | Two images a class, each of one value.
+-- | Two images of each class, each of one value.
 plain :: [(Raster, Int)]
 plain = [(constant 8 12 (fromIntegral (10 * c + i)), c) | c <- [0 .. 3], i <- [1, 2 :: Int]]
 
 middleSpec :: Spec
 middleSpec = do
-  it "has seven images a class: the clean ones beside it, and one with each noise" $ do
+  it "has seven images of each class: the clean ones twice, and one with each noise" $ do
     let images = middleImages Stated Noisy plain (plain ++ plain) (mkStdGen 1)
     map length (group (sort (map snd images))) `shouldBe` [7, 7, 7, 7]
     take 16 images `shouldBe` plain ++ plain
     let spreads = [s | (image, _) <- drop 16 images, Just s <- [standardDeviation image]]
         near s d = abs (s - d) < 5 * d / sqrt (2 * 96)
     and (zipWith near spreads (concatMap (replicate 4) [0.1, 0.15, 0.2])) `shouldBe` True
-  it "has thirty of each where they are many" $ do
+  it "has thirty images with each noise in its larger form" $ do
     let images = middleImages Many Noisy plain (plain ++ plain) (mkStdGen 1)
     map length (group (sort (map snd images))) `shouldBe` [94, 94, 94, 94]
-  it "its control has the same images without noise; without it there are none" $ do
+  it "has the same images without noise as its control, and none if it is left out" $ do
     let images = middleImages Many CleanCopies plain (plain ++ plain) (mkStdGen 1)
         noisy = middleImages Many Noisy plain (plain ++ plain) (mkStdGen 1)
     map snd images `shouldBe` map snd noisy
@@ -92,7 +92,7 @@ middleSpec = do
     let apart one other = (\a b -> abs (a - b)) <$> mean (fst one) <*> mean (fst other)
     zipWith apart images noisy `shouldSatisfy` all (< Just (0.2 * 5 / sqrt 96))
     middleImages Many NoMiddle plain (plain ++ plain) (mkStdGen 1) `shouldBe` []
-  it "noise is added, not clipped: with the same seed it is the same for each image" $
+  it "adds noise without clipping, and the same noise to each image for one seed" $
     forAll (genRasterOf 8 12) $ \image -> forAll (choose (0, 3)) $ \deviation seed ->
       let (a, _) = withWhiteNoise deviation image (mkStdGen seed)
           (b, _) = withWhiteNoise 1 (constant 8 12 0) (mkStdGen seed)
@@ -102,7 +102,7 @@ middleSpec = do
 
 trainingSpec :: Spec
 trainingSpec = do
-  it "goes through its stages to their goals, and is the same each time" $ do
+  it "goes through its stages to their goals, and repeats exactly" $ do
     known <- right paperAlphabet
     let bits = [(toRaster b, c) | (c, b) <- zip [0 ..] (shapes known), _ <- [1, 2 :: Int]]
         go training = trainedBy standardConditions training 4 (Material bits bits) 3
@@ -119,18 +119,18 @@ trainingSpec = do
       -- The first stage is the same one.
       fmap NonEmpty.toList (lookup 1 (runStages none))
         `shouldBe` fmap NonEmpty.toList (lookup 1 (runStages done))
-  it "is refused images of no class" $ do
+  it "refuses images of an unknown class" $ do
     let bad = Material [(constant 8 12 0, 4)] [(constant 8 12 0, 0)]
     fmap runNetwork (trainedBy standardConditions Stated 4 bad 1 Noisy)
       `shouldBe` Left (NoSuchClass 4 4)
-  it "its errors are counted by the greatest output" $ do
+  it "counts errors by the greatest output" $ do
     known <- right paperAlphabet
     let bits = [(toRaster b, c) | (c, b) <- zip [0 ..] (shapes known)]
         five = concatMap (replicate 5) bits
     done <- right (trainedBy standardConditions Stopped 4 (Material bits bits) 3 NoMiddle)
     let counted = wrongOf (runNetwork done) (testImages 4 five 9)
     map (map snd) counted `shouldBe` replicate 11 (replicate 4 5)
-    -- Without noise, where every image is known.
+    -- Without noise, where every image is recognised.
     exact <- right (traverse (outputs (runNetwork done) . fst) bits)
     [snd (maximum (zip o [0 :: Int ..])) | o <- exact] `shouldBe` [0 .. 3]
     map fst (head counted) `shouldBe` [0, 0, 0, 0]
@@ -140,12 +140,12 @@ trainingSpec = do
 
 tableSpec :: Spec
 tableSpec = do
-  it "the median of some, the least and the greatest" $ do
+  it "has the median, the least and the greatest of several values" $ do
     spreadOf [3, 1, 2] `shouldBe` Spread 2 1 3
     spreadOf [4, 1, 2, 8] `shouldBe` Spread 3 1 8
-  it "by hand: two seeds, two classes, two levels" $ do
+  it "is right by hand for two seeds, two classes and two levels" $ do
     let seed noisy clean none = [counts noisy, counts clean, counts none]
-        -- wrong at each level of each class, of 10
+        -- the wrong answers at each level of each class, of 10
         counts levels' = [[(n, 10) | n <- level] | level <- levels']
         found =
           outcomes
@@ -159,7 +159,7 @@ tableSpec = do
     map outcomeBetterThanClean found `shouldBe` [Just 0, Nothing, Nothing]
     map outcomeBetterThanNone found `shouldBe` [Just 1, Nothing, Nothing]
     map (map snd . outcomeLevels) (take 1 found) `shouldBe` [[Spread 5 5 5, Spread 15 5 25]]
-  it "has each training as it is, and then with one thing changed" $ do
+  it "has each training as it is, and then with one change at a time" $ do
     known <- right paperAlphabet
     two <- right (shippedAlphabet 2)
     let rows = plan [Stated, Many] [minBound ..] [two, known] Bitmaps (symbolsOf known)
@@ -179,14 +179,14 @@ tableSpec = do
                    "alphabet: q = 2"
                  ]
 
--- | The regression on the paper's shapes, learnt once for all tests.
+-- | The regression on the paper's shapes, trained once for all tests.
 regression :: Either ShippedError Classifier
 regression = logisticClassifier (standardCalibration 4) <$> paperAlphabet
 
 meansSpec :: Spec
 meansSpec = do
   withCases 20 100
-    . it "the nearest mean: outputs in the order of the correlation with each class's mean image"
+    . it "the nearest mean orders outputs by the correlation with each class's mean image"
     $ forAll (vectorOf 3 (genRasterOf 8 12)) $ \centres ->
       forAll (vectorOf 6 (genRasterOf 8 12)) $ \spoils -> forAll (genRasterOf 8 12) $ \image ->
         let images =
@@ -206,7 +206,7 @@ meansSpec = do
                in counterexample (show (found, wanted)) $
                     length found === 3
                       .&&. (apart wanted && apart found ==> order found === order wanted)
-  it "the gradient of logistic regression is that of its error, by differences" $
+  it "the gradient of logistic regression is its error's, by differences" $
     forAllBlind genLabelled $ \images -> forAll (vectorOf 194 (choose (-0.1, 0.1))) $ \w ->
       forAll (choose (0, 193)) $ \i ->
         let objective = logisticObjective 2 images
@@ -214,7 +214,7 @@ meansSpec = do
             slope = snd (objective (V.fromList w)) V.! i
             difference = (at 1e-5 - at (-1e-5)) / 2e-5
          in counterexample (show (slope, difference)) (abs (slope - difference) < 1e-5)
-  it "its error is the sum of -log of what it gives to the truth, and half of all squares" $
+  it "the error of the regression is the sum of -log p of the truths, plus half of all squares" $
     forAllBlind genLabelled $ \images -> forAll (vectorOf 194 (choose (-0.1, 0.1))) $ \w ->
       let chance k (image, named) =
             let s = sum (zipWith (*) (drop (97 * k) w) (V.toList (rasterValues image) ++ [1]))
@@ -224,10 +224,10 @@ meansSpec = do
           two = 2 :: Int
           found = fst (logisticObjective 2 images (V.fromList w))
        in counterexample (show (found, wanted)) (abs (found - wanted) < 1e-9 * (1 + wanted))
-  it "the fit is where the error is nearly least, and its outputs are 1 / (1 + exp (-w x))" $ do
+  it "the fit has nearly the least error, and its outputs are 1 / (1 + exp (-w x))" $ do
     images <- learningImages <$> right paperAlphabet
     told <- classifierOutputs <$> right regression
-    let -- Of an image of 0 a class tells its bias, of one with a single 1 a weight more.
+    let -- For an image of 0 a class's output shows its bias; a single 1 adds one weight.
         single i = generate 8 12 (\x y -> if Just (8 * y + x) == i then 1 else 0)
         odds i = map (\y -> log (y / (1 - y))) <$> right (told (single i))
     biases <- odds Nothing
@@ -236,7 +236,7 @@ meansSpec = do
         w = V.fromList (concat rows')
         (least, slope) = logisticObjective 4 images w
         (begun, _) = logisticObjective 4 images (V.map (const 0) w)
-        -- The error bends upwards by 1 at least, so that no weights have less than this.
+        -- The error bends upwards by at least 1, so no weights have less than this.
         bound = least - V.sum (V.map (^ (2 :: Int)) slope) / 2
     (begun, least, bound) `shouldSatisfy` \_ -> least - bound < 0.01 * (begun - bound)
     forM_ (take 9 images) $ \(image, _) -> do
@@ -244,7 +244,7 @@ meansSpec = do
       let values = V.toList (rasterValues image) ++ [1]
           wanted = [1 / (1 + exp (-sum (zipWith (*) row values))) | row <- rows']
       zipWith (-) found wanted `shouldSatisfy` \off -> length off == 4 && all ((< 1e-9) . abs) off
-  it "tells every shape either way up, by the same interface as the network" $ do
+  it "both recognise every shape either way up, by the same interface as the network" $ do
     known <- right paperAlphabet
     byRegression <- right regression
     let learnt = [meansClassifier (standardCalibration 4) known, byRegression]

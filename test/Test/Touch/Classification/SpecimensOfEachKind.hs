@@ -1,6 +1,6 @@
 {-# OPTIONS_GHC -O1 #-}
 
--- | Training images, and parts of symbols, against what is said of them.
+-- | Tests training images, and parts of symbols, against their descriptions.
 module Test.Touch.Classification.SpecimensOfEachKind (spec) where
 
 import Data.Maybe (fromMaybe)
@@ -37,24 +37,24 @@ spec = do
 
 specimens :: Spec
 specimens = do
-  it "halves are the left or the upper half of the shape, and the other half of another one" $
+  it "halves are the left or upper half of the shape, and the other half of another one" $
     either (expectationFailure . show) halves paperAlphabet
-  it "displaced ones are out of place to the sides, or up and down, about as often" $
+  it "displaced ones are displaced sideways, or up and down, equally often" $
     either (expectationFailure . show) displaced paperAlphabet
   it "curtailed ones lack a corner of at most 3 taxels (upside down 4), or a margin of at most 2" $
     either (expectationFailure . show) check paperAlphabet
-  it "corners are lacking at each of the four, along either side" $
+  it "corners are missing at all four, along either side" $
     either (expectationFailure . show) cornered paperAlphabet
   where
     halves a = do
       let drawn kind shape seed = fst (specimen a kind shape (mkStdGen seed))
-          -- Whether two images are alike in some of their pixels.
+          -- Whether two images agree in some of their pixels.
           alike part one other = and [index one x y == index other x y | (x, y) <- part]
           left = [(x, y) | x <- [0, 1], y <- [0 .. 11]]
           right' = [(x, y) | x <- [6, 7], y <- [0 .. 11]]
           upper = [(x, y) | x <- [0 .. 7], y <- [0 .. 2]]
           lower = [(x, y) | x <- [0 .. 7], y <- [9 .. 11]]
-          -- From one seed all are seen alike.
+          -- All specimens from one seed are seen in the same way.
           cases =
             [ (halved left right', halved upper lower)
               | (seed, shape) <- zip [1 .. 200] (cycle (shapes a)),
@@ -72,7 +72,7 @@ specimens = do
       [length (filter (== way) cases) | way <- [(True, False), (False, True)]]
         `shouldSatisfy` all (\n -> n >= 65 && n <= 135)
     -- From one seed the symbol in its place and the displaced one are blurred alike. The lesser
-    -- displacement, uniform to 6 taxels, is less than 2 in a third.
+    -- displacement, uniform to 6 taxels, is below 2 in a third of them.
     displaced a = do
       let moves =
             [ movedBy (drawn Upright) (drawn Displaced)
@@ -86,8 +86,8 @@ specimens = do
         ]
         `shouldSatisfy` all (\n -> n >= byEffort 3 10 && n <= byEffort 33 56)
       [move | move@(i, j) <- moves, abs i < 2, abs j < 2] `shouldBe` []
-    -- By how many taxels, right and down, the second image is moved from the first: where what both
-    -- show differs least.
+    -- The displacement in taxels, right and down, of the second image from the first: where their
+    -- common part differs least.
     movedBy one other =
       snd (minimum [(difference i j, (i, j)) | i <- [-6 .. 6], j <- [-6 .. 6]])
       where
@@ -101,8 +101,8 @@ specimens = do
                 ]
            in sum squares / fromIntegral (length squares) :: Double
     -- From one seed the whole symbol and the curtailed one are seen alike. Corners are longer than
-    -- thick: of 400 specimens a quarter lack one along either side, of these seven in twelve one of
-    -- four columns or more, and eight in twelve one of five rows or more.
+    -- thick. Of 400 specimens a quarter lack one along either side. Seven in twelve of these lack
+    -- one of four columns or more, and eight in twelve one of five rows or more.
     cornered a = do
       let lacking =
             [ [(x, y) | x <- [0 .. 7], y <- [0 .. 11], index whole x y /= index seen x y]
@@ -131,8 +131,8 @@ specimens = do
           most found = (maximum (map fst found), maximum (map snd found))
       map most [lacking Upright Curtailed, lacking UpsideDown CurtailedUpsideDown]
         `shouldBe` [(3, 2), (4, 2)]
-    -- How thick the corner is, in its thinner direction, that holds all that differs; and the same
-    -- where that is a margin, which repeats what was seen, where a corner is flat.
+    -- The thickness, in the thinner direction, of the corner that contains all differences; and the
+    -- same for a margin, which repeats what was seen, while a corner is flat.
     missing whole seen =
       let differing = [(x, y) | x <- [0 .. 7], y <- [0 .. 11], index whole x y /= index seen x y]
           thickness =

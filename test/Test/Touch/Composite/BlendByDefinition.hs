@@ -1,4 +1,4 @@
--- | Blending and the growth of a composite, each against its definition.
+-- | Tests blending and the growth of a composite, each against its definition.
 module Test.Touch.Composite.BlendByDefinition (spec) where
 
 import Data.Maybe (fromMaybe)
@@ -22,7 +22,7 @@ spec = do
 
 blending :: Spec
 blending = do
-  it "a pixel of the grid gets of each pixel of each image what is left of 1 - distance, x and y" $
+  it "a pixel of each image counts for a pixel of the grid by 1 - distance along x and along y" $
     forAll genSize $ \(w, h) -> forAll (choose (0, 3) >>= (`vectorOf` genPlaced)) $ \images ->
       let Blend sums weights = blend w h images
           close a b =
@@ -30,7 +30,7 @@ blending = do
               rasterSize a === rasterSize b
                 .&&. either (const False) (maybe True (< 1e-9) . maximumValue) (differences a b)
        in close sums (defined w h id images) .&&. close weights (defined w h (const 1) images)
-  it "drops images that are nowhere near the grid, however far they are" $
+  it "images far from the grid are dropped, however far they are" $
     [ toRows (blendWeights (blend 3 2 [(place, constant 2 2 1)]))
       | far <- [3, 1e8, 1e9, 1e18, 1e300, 1 / 0, 0 / 0],
         place <- [(far, 0), (0, far), (-far, 0), (0, -far), (far, -far)]
@@ -56,7 +56,7 @@ blending = do
                         weight = sum [share * worth 0.02 dead | (share, dead, _) <- told]
                         values = sum [share * worth 0.02 dead * v | (share, dead, v) <- told]
                         covered = sum [share * worth 0.5 dead | (share, dead, _) <- told]
-                        -- Where next to nothing is told, 0; and to rounding of what it is, any.
+                        -- With next to no coverage 0, or up to rounding any value.
                         meanOr v
                           | weight < 0.0009 = 0
                           | weight < 0.0011 = v
@@ -72,8 +72,8 @@ blending = do
       pose <- Pose <$> choose (-8, 8) <*> choose (-8, 8) <*> elements [0, 90, 180, 270]
       dead <- listOf ((,) <$> choose (0, 3) <*> choose (0, 5))
       pure (Frame pose 1 image taxelPitch dead)
-    -- What taxels tell of a place, in taxels: the share that falls to it, whether each is dead, and
-    -- its value.
+    -- The taxels that cover a place, in taxels: the share of each, whether it is dead, and its
+    -- value.
     tellingOf (px, py) (Frame (Pose x y r) _ image _ dead) =
       [ (share, (j, i) `elem` dead, v)
         | i <- [0 .. 5],
@@ -105,13 +105,13 @@ blending = do
           ]
     left place x = max 0 (1 - abs (place - x)) :: Double
 
--- | With k frames placed that agree, the next one's displacement less the mean of theirs is the
--- difference of its own error and the mean of k others: independent, of variance sigma^2 each, so
--- sigma^2 (1 + 1/k) in all.
+-- | With k agreeing frames placed, the next one's displacement less the mean of theirs is its own
+-- error less the mean of k others. These are independent, each with variance sigma^2, so it has
+-- variance sigma^2 (1 + 1/k).
 growing :: Spec
 growing =
   withCases 7 60 $
-    it "the frame after k that agree is placed by a prior of variance sigma^2 (1 + 1/k)" $
+    it "the frame after k agreeing ones is placed by a prior of variance sigma^2 (1 + 1/k)" $
       forAll ((,) <$> choose (2, 5) <*> choose (0.3, 1.5)) $ \(k, sigma) ->
         forAll ((,) <$> genRasterOf 16 16 <*> genRasterOf 16 16) $ \(strong, texture) ->
           -- Faint, so that prior and likelihood both count.

@@ -1,4 +1,4 @@
--- | The angle of what a composite shows, and the composite set upright, against their definitions.
+-- | Tests the skew of a composite, and the composite set upright, against their definitions.
 module Test.Touch.Composite.SkewByDefinition (spec) where
 
 import qualified Data.Map.Strict as Map
@@ -17,7 +17,7 @@ spec = withCases 7 60 $ do
   skewSpec
   uprightSpec
 
--- | Any image, of which some pixels were hardly touched, anywhere.
+-- | Any image anywhere, some of whose pixels were hardly touched.
 genComposite :: (Int, Int) -> Gen Composite
 genComposite sides = do
   (w, h) <- (,) <$> choose sides <*> choose sides
@@ -47,12 +47,12 @@ at image x y = fromMaybe 0 (index image x y)
 
 skewSpec :: Spec
 skewSpec =
-  it "the angle is where sums of Scharr's gradient along lines have the most squares, as defined" $
+  it "the skew maximises the squared sums of Scharr's gradient along lines, as defined" $
     forAllBlind (choose (1, 2) >>= (`vectorOf` genComposite (3, 9))) $ \composites ->
       let angle = defined composites
           slopes = concatMap gradients composites
           (found, wanted) = (fromMaybe 0 (skew composites), fromMaybe 0 angle)
-          -- To rounding, which may fold what lies at the end of the range.
+          -- Up to rounding, which may exchange the ends of the range.
           close = abs (found - wanted) < 1e-6 || min (abs (found - 45)) (abs (found + 45)) < 1e-6
        in counterexample (show (skew composites, angle)) $
             label (maybe "none" (const "some") angle) $
@@ -61,7 +61,7 @@ skewSpec =
                 else property close
 
 -- | The best of angles a degree and a half apart, then of those half a degree apart up to a degree
--- from there; then the vertex of the parabola through the scores a degree around, if it has one, at
+-- from there. Then the vertex of the parabola through the scores a degree around, if it has one, at
 -- most a degree away.
 defined :: [Composite] -> Maybe Double
 defined composites = if all null found then Nothing else Just (folded vertex)
@@ -81,8 +81,8 @@ defined composites = if all null found then Nothing else Just (folded vertex)
       | a >= 45 = folded (a - 90)
       | otherwise = a
 
--- | The sum of the squares of the sums along lines a pixel apart, in both directions; what lies
--- between two lines counts for both in parts.
+-- | The sum of the squares of the sums along lines a pixel apart, in both directions. A pixel
+-- between two lines counts in parts for both.
 squares :: Double -> [((Double, Double), (Double, Double))] -> Double
 squares angle found = along (cos turn, sin turn) + along (-(sin turn), cos turn)
   where
@@ -97,7 +97,7 @@ squares angle found = along (cos turn, sin turn) + along (-(sin turn), cos turn)
               line <- [floor place, floor place + 1 :: Int]
           ]
 
--- | Where all nine pixels around were touched, from the composite's middle; with the gradient.
+-- | The pixels whose nine neighbours were touched, from the composite's middle, with the gradient.
 gradients :: Composite -> [((Double, Double), (Double, Double))]
 gradients Composite {compositeImage = image, compositeCoverage = coverage} =
   [ ( (fromIntegral x - fromIntegral w / 2, fromIntegral y - fromIntegral h / 2),
@@ -115,7 +115,7 @@ gradients Composite {compositeImage = image, compositeCoverage = coverage} =
 
 uprightSpec :: Spec
 uprightSpec =
-  it "set upright it is as large as its corners need, each pixel between those around its place" $
+  it "a composite set upright is as large as its corners need, with interpolated pixels" $
     forAllBlind (genComposite (1, 9)) $ \composite ->
       forAll (oneof [choose (-180, 180), elements [0, 30, 90, -90, 180]]) $ \angle ->
         let (upright, _) = setUpright angle composite
@@ -126,7 +126,7 @@ uprightSpec =
                   y <- [0, fromIntegral (h - 1)]
               ]
             (left, top) = (minimum (map fst corners), minimum (map snd corners))
-            -- As many pixels as reach to the last corner, to rounding.
+            -- As many pixels as reach the last corner, up to rounding.
             enough part from = 1 + ceiling ((maximum (map part corners) - from) / pitch - 1e-6)
             (wide, high) = (enough fst left, enough snd top) :: (Int, Int)
             seen x y =
@@ -154,7 +154,7 @@ uprightSpec =
     turnedPlace angle (x, y) =
       let (c, s) = (cos (angle * pi / 180), sin (angle * pi / 180))
        in (c * x - s * y, s * x + c * y) :: (Double, Double)
-    -- The mean of the four pixels around, by how near they are and how much they were touched.
+    -- The mean of the four pixels around, weighted by their distance and their coverage.
     between composite (x, y) =
       let shares =
             [ (share * at (compositeCoverage composite) i j, at (compositeImage composite) i j)

@@ -1,7 +1,7 @@
 {-# LANGUAGE OverloadedStrings #-}
 
--- | Images in the files of other programs: those in test/data/images/made.json are by numpy and
--- Pillow, with what these read in them.
+-- | Tests images in the files of other programs. Those in test/data/images/made.json are by numpy
+-- and Pillow, with the values that these read.
 module Test.Touch.Image.FilesOfOthers (spec) where
 
 import Data.Aeson
@@ -30,7 +30,7 @@ spec = do
   describe "as text" matrices
   describe "of Tekscan" tekscan
 
--- | A file with what another program reads in it: its width and the shares, or the reason.
+-- | A file with another program's reading: its width and its shares, or the reason for its refusal.
 data Made = Made String B.ByteString (Either String (Int, [[Maybe Double]]))
 
 instance FromJSON Made where
@@ -47,7 +47,7 @@ made = eitherDecodeFileStrict "test/data/images/made.json" >>= either fail pure
 
 ofOthers :: SpecWith [Made]
 ofOthers = do
-  it "show what those programs read in them, and are refused for their reason" $ \files -> do
+  it "have the values that those programs read, or are refused with their reason" $ \files -> do
     length [() | Made _ _ (Right _) <- files] `shouldSatisfy` (>= 50)
     for_ files $ \(Made name file expected) -> case (expected, decodeImages maxPixels file) of
       (Left reason, Left why) -> (name, reason) `shouldSatisfy` (told why . snd)
@@ -76,7 +76,7 @@ ofOthers = do
 
 written :: Spec
 written =
-  it "are read as what they were written from, with the samples that they had" $
+  it "are read as what they were written from, with the original samples" $
     property . forAll ((,) <$> elements [minBound ..] <*> genPgm) $ \(format, pgm) ->
       let full = fromIntegral (pgmMaxval pgm)
           shown = decodeImages maxPixels (encodeImage format pgm)
@@ -85,7 +85,7 @@ written =
 
 movies :: Spec
 movies = do
-  it "are PGM images one after the other, which have all their images" $
+  it "are concatenated PGM images, which have all their images" $
     property . forAll ((,) <$> genPgm <*> choose (1, 5)) $ \(pgm, count) ->
       forAll (vectorOf count (elements [Plain, Binary])) $ \formats ->
         let file = B.concat [encodePgm format pgm | format <- formats]
@@ -98,10 +98,10 @@ movies = do
                   ]
                 .&&. fmap feltImage (numberedImage Nothing (Just count) images)
                   === Left (NoSuchImage count count)
-  it "of different sizes are none, and neither are an image and what is none" $ do
+  it "of different sizes are refused, and so is an image followed by anything else" $ do
     problem "P5 1 1 9\n\1P5 2 1 9\n\1\2" `shouldBe` Just (SizesDiffer (1, 1) (2, 1))
     problem "P5 1 1 9\n\1P6 1 1 9\n\1\2\3" `shouldBe` Just (TrailingData 12)
-  it "are no one image" $
+  it "are not a single image" $
     fmap feltImage (read' "P2 1 1 9 1\nP2 1 1 9 2" >>= numberedImage Nothing Nothing)
       `shouldBe` Left (IsMovie 2)
 
@@ -111,7 +111,7 @@ read' = decodeImages maxPixels
 problem :: B.ByteString -> Maybe ImageError
 problem = either Just (const Nothing) . read'
 
--- | Rows of numbers, which have few digits or many.
+-- | Rows of numbers, with few digits or many.
 genRows :: Gen [[Double]]
 genRows = do
   (w, h) <- (,) <$> choose (1, 6) <*> choose (1, 6)
@@ -119,7 +119,7 @@ genRows = do
 
 matrices :: Spec
 matrices = do
-  it "are read, whatever parts their numbers, and blank lines part images" $
+  it "are read, whatever separates their numbers; blank lines separate images" $
     property . forAll ((,,) <$> genRows <*> elements separators <*> choose (1, 3)) $
       \(rows, separator, count) ->
         let image = unlines (map (intercalate separator . map show) rows)
@@ -130,11 +130,11 @@ matrices = do
                   [ fmap (toRows . feltImage) (numberedImage Nothing (Just i) images) === Right rows
                     | i <- [0 .. count - 1]
                   ]
-  it "may lack readings, and are scaled by what they are said to be" $ do
+  it "may lack readings, and are scaled by the stated full scale" $ do
     felt <- right (read' "10 nan 30\n20 B 51\n" >>= numberedImage (Just 50) Nothing)
     feltDead felt `shouldBe` [(0, 1), (1, 1)]
     feltClipped felt `shouldBe` 1
-    -- The mean of the nearest neighbours stands for what is missing.
+    -- The mean of the nearest neighbours replaces a missing reading.
     let mean = (0.2 + 0.6 + 0.4 + 1) / 4
     Right (feltImage felt) `shouldBe` fromRows [[0.2, mean, 0.6], [0.4, mean, 1]]
   -- Comments before the first number could be indented, but were then refused as data.
@@ -142,7 +142,7 @@ matrices = do
     let file = " # a\n#b\n0 1\n\t# c\n1 0\n"
      in fmap (toRows . feltImage) (read' file >>= numberedImage Nothing Nothing)
           `shouldBe` Right [[0, 1], [1, 0]]
-  it "are refused with the place of what is wrong" $ do
+  it "are refused with the place of the fault" $ do
     problem "0.1 x\n" `shouldBe` Just (NotNumber 1 2 "x")
     problem "1\n\n0.1,5;0.2\n" `shouldBe` Just (NotNumber 3 1 "0.1,5;0.2")
     problem "0,5;0,25\n" `shouldBe` Just (DecimalComma 1 "0,5")
@@ -181,7 +181,7 @@ exported =
 
 tekscan :: Spec
 tekscan = do
-  it "are read with their spacing, full scale and elements that are none" $ do
+  it "are read with their spacing, full scale and missing elements" $ do
     images <- right (decodeImages maxPixels (export exported))
     (imagesCount images, imagesSize images, imagesSpacing images) `shouldBe` (2, (3, 2), Just 1.27)
     one <- right (numberedImage Nothing (Just 0) images)
@@ -204,7 +204,7 @@ tekscan = do
     imagesSpacing images `shouldBe` Just 1.27
     one <- right (numberedImage Nothing (Just 0) images)
     take 2 (V.toList (rasterValues (feltImage one))) `shouldBe` [0, 50 / 255]
-  it "are refused with what they lack" $
+  it "are refused with the missing part" $
     for_ refusals $ \(old, new, expected) -> do
       let spoilt = [if line == old then new else line | line <- exported]
       spoilt `shouldNotBe` exported

@@ -1,7 +1,7 @@
 {-# LANGUAGE OverloadedStrings #-}
 
--- | What the netpbm manual's pgm(5) shows and says, example by example, and files that would take
--- much if their headers were believed. The laws are in "Test.Touch.Image.PgmLaws".
+-- | Tests the statements and examples of the netpbm manual's pgm(5), and files whose headers would
+-- cost much memory if they were believed. The laws are in "Test.Touch.Image.PgmLaws".
 module Test.Touch.Image.PgmByTheManual (spec) where
 
 import Codec.Picture (Image (..))
@@ -17,7 +17,7 @@ import Test.Hspec
 
 spec :: Spec
 spec = do
-  describe "Reading what the manual shows" manual
+  describe "Reading by the manual" manual
   describe "Headers" headers
   describe "Refusals" refusals
 
@@ -40,12 +40,12 @@ manual = do
     size <$> decodePgm feep `shouldBe` Right (24, 7, 15)
     samples <$> decodePgm feep
       `shouldBe` Right (map (read . C.unpack) (concatMap C.words (drop 4 (C.lines feep))))
-  it "reads two bytes a sample, the more significant first, when the maximum value is above 255" $
+  it "reads two bytes for each sample, the more significant first, if the maximum is above 255" $
     samples <$> decodePgm (B.concat ["P5 2 1 256\n", B.pack [1, 0, 0, 255]])
       `shouldBe` Right [256, 255]
-  it "reads one byte a sample up to a maximum value of 255" $
+  it "reads one byte for each sample up to a maximum value of 255" $
     samples <$> decodePgm (B.concat ["P5 2 1 255\n", B.pack [255, 10]]) `shouldBe` Right [255, 10]
-  it "takes a sample that is a white space's byte for a sample" $
+  it "takes a sample for a sample even if it is a byte of white space" $
     samples <$> decodePgm "P5 3 1 255\n\n #" `shouldBe` Right [10, 32, 35]
 
 samples :: Pgm -> [Word16]
@@ -59,7 +59,7 @@ headers = do
       `shouldBe` replicate 4 (Right [97])
   it "takes a comment after the maximum value, with its line end, for white space" $
     samples <$> decodePgm "P5 1 1 255# a comment\na" `shouldBe` Right [97]
-  it "takes what follows a blank after the maximum value for the image, comment or not" $
+  it "takes all after a blank after the maximum value for the image, comment or not" $
     samples <$> decodePgm "P5 1 1 255 #" `shouldBe` Right [35]
   it "takes numbers with leading zeros" $
     samples
@@ -72,7 +72,7 @@ headers = do
 
 refusals :: Spec
 refusals = do
-  it "names what is no PGM by its first bytes" $ do
+  it "names a file that is no PGM by its first bytes" $ do
     let png = B.concat [B.pack [0x89, 0x50, 0x4e, 0x47, 13, 10, 26, 10], "rest"]
     decodePgm png `shouldBe` Left (NotPgm (B.take 8 png))
     formatName png `shouldBe` Just "PNG"

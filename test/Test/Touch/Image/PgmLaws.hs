@@ -1,8 +1,8 @@
 {-# LANGUAGE OverloadedStrings #-}
 
--- | The laws of PGM files and images. Files are held against a reader that follows pgm(5) word by
+-- | The laws of PGM files and images. Files are compared with a reader that follows pgm(5) word by
 -- word: comments become blanks, the header is three words, the samples are the words or the bytes
--- after them. It is slow, and says all that is wrong with a file.
+-- after them. This reader is slow, and lists all faults of a file.
 module Test.Touch.Image.PgmLaws (spec, genPgm) where
 
 import Codec.Picture (DynamicImage (..), Image (..), decodePng)
@@ -39,7 +39,7 @@ samplesOf :: Pgm -> [Int]
 samplesOf (Pgm8 _ image) = map fromIntegral (V.toList (imageData image))
 samplesOf (Pgm16 _ image) = map fromIntegral (V.toList (imageData image))
 
--- | What a file holds, or all that is wrong with it.
+-- | The content of a file, or all of its faults.
 defined :: ByteString -> Either [ImageError] Contents
 defined file = case splitAt 2 text of
   (magic, after)
@@ -48,7 +48,7 @@ defined file = case splitAt 2 text of
   _ -> Left [NotPgm (B.take 8 file)]
   where
     text = C.unpack file
-    -- The words of what follows the magic, each with where it begins.
+    -- The words after the magic, each with its position.
     spaced = wordsFrom 2
 
     header raw found = do
@@ -121,7 +121,7 @@ blanked text = case break (== '#') text of
      in before ++ map (const ' ') ignored ++ blanked rest
   (before, []) -> before
 
--- | The words of a text, each with its place; the first character has this one.
+-- | The words of a text, each with its position; the first character has this one.
 wordsFrom :: Int -> String -> [(Int, String)]
 wordsFrom start text =
   [ (i, map snd word)
@@ -131,7 +131,7 @@ wordsFrom start text =
   where
     isWhite = (`elem` white)
 
--- | A word of digits as a number; from 10^18 on all are one, too large for everything.
+-- | A word of digits as a number; from 10^18 on all are one number, too large for everything.
 decimal :: String -> Maybe Integer
 decimal word
   | not (null word) && all isDigit word = Just (min (10 ^ (18 :: Int)) (read word))
@@ -174,7 +174,7 @@ gap = B.concat <$> ((:) <$> one <*> frequency [(3, pure []), (1, listOf one)])
     one = elements ([" ", "\t", "\n", "\r", "\r\n"] ++ comments)
     comments = ["# a comment 12 P5\n", "#\n", " # ## \r", "#7\r\n"]
 
--- | As it is, or with one or two pieces changed, or cut off, or with something after the end.
+-- | Unchanged, or with one or two pieces changed, or cut off, or with something after the end.
 mutated :: [ByteString] -> Gen Pieces
 mutated pieces = do
   times <- frequency [(2, pure 0), (3, pure (1 :: Int)), (1, pure 2)]
@@ -206,15 +206,15 @@ mutated pieces = do
 byDefinition :: Spec
 byDefinition = do
   withCases 1000 3000 $
-    it "is read as it is defined, or refused for something that is wrong with it" $
+    it "is read by the definition, or refused for one of its faults" $
       property $ \(Pieces pieces) -> readAsDefined defined decodePgm contents (B.concat pieces)
-  it "has the size that its header says, which is read alone" $
+  it "has the size in its header, which is read alone" $
     property $ \(Pieces pieces) ->
       let file = B.concat pieces
        in case defined file of
             Right (w, h, _, _) -> pgmSize file === Right (w, h)
             Left _ -> property Discard
-  it "at maximum values near a change of size, samples up to it are read, and one more is not" $
+  it "accepts samples up to the maximum value, near a change of size, and none above" $
     conjoin
       [ case decodePgm file of
           Right pgm -> counterexample name (contents pgm === (2, 1, m, [0, v]) .&&. v <= m)
@@ -231,7 +231,7 @@ byDefinition = do
 
 built :: Spec
 built = do
-  it "is taken by pgm8 and pgm16 if it is one of their maximum values, and refused if not" $
+  it "is accepted by pgm8 and pgm16 exactly if it has one of their maximum values" $
     forAllShrink image' shrinkImage $ \(m, (w, h, values)) ->
       let causes range =
             [MaxvalOutOfRange (fromIntegral m) | m `notElem` range]
@@ -251,12 +251,12 @@ built = do
                   | all (< 256) (m : values)
                 ]
             )
-  it "of exactly 2^24 pixels is not too large, and one of a row more is" $ do
+  it "of exactly 2^24 pixels is not too large, and one with another row is" $ do
     maxPixels `shouldBe` 2 ^ (24 :: Int)
     contentsOf (pgm8 1 (Image 4096 4096 V.empty)) `shouldBe` Left (WrongValueCount 4096 4096 0)
     contentsOf (pgm8 1 (Image 4096 4097 V.empty)) `shouldBe` Left (TooManyPixels 4096 4097)
     contentsOf (pgm8 1 (Image 16777217 1 V.empty)) `shouldBe` Left (TooManyPixels 16777217 1)
-  it "is shown as what builds it, in parentheses where it is an argument" $
+  it "is shown as the expression that builds it, in parentheses as an argument" $
     forAllShrink image' shrinkImage $ \(m, (w, h, values)) ->
       let shown name =
             unwords [name, show m, "(Image", show w, show h, show values ++ ")"]
@@ -290,7 +290,7 @@ written = do
   it "is read as the image that it was written from, plain and raw" $
     forAll ((,) <$> elements [Plain, Binary] <*> genPgm) $ \(format, pgm) ->
       decodePgm (encodePgm format pgm) === Right pgm
-  it "plain, has lines of at most 70 characters, and begins each row on a line of its own" $
+  it "has lines of at most 70 characters if plain, and begins each row on a new line" $
     forAll genPgm $ \pgm ->
       let written' = drop 3 (C.lines (encodePgm Plain pgm))
           counts = map (length . C.words) written'
@@ -313,7 +313,7 @@ genPgm = do
 
 mistaken :: Spec
 mistaken =
-  it "is known by its signature, and by nothing less" $
+  it "is recognised by its signature, and by nothing less" $
     conjoin
       [ counterexample (show (name, signature)) $
           conjoin
@@ -352,17 +352,17 @@ intensities = do
           m = fromIntegral (pgmMaxval pgm)
        in concat (toRows shares) === [fromIntegral v / m | v <- samplesOf pgm]
             .&&. pgmFromIntensity (fromIntegral (pgmMaxval pgm)) shares === Right pgm
-  it "become the nearest samples, of what is beyond 0 to 1 the last, and of no number 0" $
+  it "become the nearest samples, beyond 0 to 1 the last ones, and for NaN 0" $
     forAll (elements [1, 9, 254, 255, 256, 257, 65534, 65535]) $ \m ->
       forAll (vectorOf 9 (frequency [(3, choose (-2, 3)), (1, elements edges)])) $
         \values ->
           let image = either (error . show) id (fromRows [values])
-              -- The one that is nearer, of two as near the even one.
+              -- The nearer one, or of two equally near the even one.
               nearest v = snd (minimum [((abs (at v - fromIntegral s), odd s), s) | s <- near v])
               at v = fromIntegral m * (if isNaN v then 0 else max 0 (min 1 v))
               near v = [floor (at v), floor (at v) + 1] :: [Int]
            in fmap samplesOf (pgmFromIntensity m image) === Right (map nearest (values :: [Double]))
-  it "of no pixels, or by a maximum value of 0, are no image" $ do
+  it "without pixels, or with a maximum value of 0, are no image" $ do
     pgmFromIntensity 255 (constant 0 4 1) `shouldBe` Left (ZeroSize 0 4)
     pgmFromIntensity 0 (constant 1 1 1) `shouldBe` Left (MaxvalOutOfRange 0)
   it "become a PNG whose pixels are the samples of 8 bits" $

@@ -1,4 +1,4 @@
--- | Rasters, their correlation, and the random draws.
+-- | Tests rasters, their correlation, and the random draws.
 module Test.Touch.Image.RastersAndCorrelation
   ( spec,
     genRaster,
@@ -23,14 +23,14 @@ import Test.QuickCheck hiding (generate, sample)
 genRaster :: Gen Raster
 genRaster = genRasterWithin (1, 12)
 
--- | One whose sides are within bounds.
+-- | A raster whose sides are within bounds.
 genRasterWithin :: (Int, Int) -> Gen Raster
 genRasterWithin sides = do
   w <- choose sides
   h <- choose sides
   genRasterOf w h
 
--- | A raster of that size with values from 0 to 1.
+-- | A raster of this size with values from 0 to 1.
 genRasterOf :: Int -> Int -> Gen Raster
 genRasterOf w h = fromList w h <$> vectorOf (w * h) (choose (0, 1))
 
@@ -64,7 +64,7 @@ rasters = do
     raster (2 ^ (32 :: Int)) (2 ^ (32 :: Int)) V.empty
       `shouldBe` Left (WrongValueCount (2 ^ (32 :: Int)) (2 ^ (32 :: Int)) 0)
     raster (-1) (-1) (V.fromList [1]) `shouldBe` Left (WrongValueCount (-1) (-1) 1)
-  it "index (generate w h f) x y = f x y inside, nothing outside" $
+  it "index (generate w h f) x y = f x y inside, Nothing outside" $
     forAll ((,) <$> choose (-2, 9) <*> choose (-2, 9)) $ \(x, y) ->
       index (generate 7 5 (\i j -> fromIntegral (10 * i + j))) x y
         === ( if x >= 0 && x < 7 && y >= 0 && y < 5
@@ -78,7 +78,7 @@ rasters = do
             h = rasterHeight r - y
          in fmap (\c -> [index c i j | i <- [0 .. w - 1], j <- [0 .. h - 1]]) (crop (x, y) (w, h) r)
               === Right [index r (x + i) (y + j) | i <- [0 .. w - 1], j <- [0 .. h - 1]]
-  it "refuses to crop what is not in the image" $ do
+  it "refuses to crop beyond the image" $ do
     let r = constant 4 3 1
     crop (1, 1) (4, 1) r `shouldBe` Left (OutsideImage (1, 1, 4, 1) (4, 3))
     crop (-1, 0) (1, 1) r `shouldBe` Left (OutsideImage (-1, 0, 1, 1) (4, 3))
@@ -99,7 +99,7 @@ rasters = do
                   - plane x y
               )
               < 1e-12
-  it "sample beyond the edge is the edge's value, and of nothing 0" $ do
+  it "sample beyond the edge is the edge's value, and 0 of an empty raster" $ do
     sample (generate 2 2 (\x y -> fromIntegral (x + 2 * y))) 99 (-99) `shouldBe` 1
     sample (generate 2 2 (\x y -> fromIntegral (x + 2 * y))) (1 / 0) (1 / 0) `shouldBe` 3
     sample (constant 0 3 1) 0 0 `shouldBe` 0
@@ -123,7 +123,7 @@ seenAs = do
     (toRows . onRaster (turned 1) <$> fromRows [[1, 2, 3], [4, 5, 6]])
       `shouldBe` Right [[4, 1], [5, 2], [6, 3]]
   where
-    -- Rows of an image without pixels do not tell its size.
+    -- Rows of an image without pixels do not determine its size.
     hasPixels r = rasterWidth r > 0 && rasterHeight r > 0
 
 statistics :: Spec
@@ -139,7 +139,7 @@ statistics = do
     forAll genRaster $ \r -> (quantile 0 r, quantile 1 r) === (minimumValue r, maximumValue r)
   it "the middle quantile of 1, 2, 3, 10 is 2.5" $
     (quantile 0.5 <$> fromRows [[10, 2], [3, 1]]) `shouldBe` Right (Just 2.5)
-  it "an empty raster has none of them" $
+  it "an empty raster has no statistics" $
     [mean none, standardDeviation none, minimumValue none, maximumValue none, quantile 0.5 none]
       `shouldBe` replicate 5 Nothing
   where
@@ -190,7 +190,7 @@ correlation = do
         let fast = (\ref -> overlapAt ref image dx dy) <$> reference sums weights
          in counterexample (show (fast, naive sums weights image (dx, dy))) $
               either (const False) (`agrees` naive sums weights image (dx, dy)) fast
-  it "far away, and where a displacement is no number, nothing meets" $
+  it "images far apart, or at a displacement of NaN, do not overlap" $
     forAll (genRasterOf 5 4) $ \image ->
       forAll (elements [1e9, -1e9, 1e300, 0 / 0, 1 / 0]) $ \far ->
         let ref = referenceOf image
@@ -218,7 +218,7 @@ correlation = do
           (const False)
           (\ref -> maybe True (\z -> abs z <= 1) (zncc (overlapAt ref image dx dy)))
           (reference sums weights)
-  it "a flat image has none, and neither has one that does not meet the reference" $ do
+  it "a flat image has no zncc, nor does one that does not meet the reference" $ do
     zncc (overlapAt (referenceOf (generate 5 5 (\x _ -> fromIntegral x))) (constant 3 3 0.7) 1 1)
       `shouldBe` Nothing
     let r = generate 5 5 (\x y -> fromIntegral (x * y))
@@ -229,7 +229,7 @@ correlation = do
   it "refuses sums and weights of different size" $
     either Just (const Nothing) (reference (constant 2 2 1) (constant 2 3 1))
       `shouldBe` Just (SizesDiffer (2, 2) (2, 3))
-  it "referenceAt interpolates by weight, and knows nothing outside" $ do
+  it "referenceAt interpolates by weight, and is Nothing outside" $ do
     let ref =
           either
             (const Nothing)
@@ -290,7 +290,7 @@ draws = do
     abs (moment 2 - 1) `shouldSatisfy` (< 5 * sqrt (2 / n))
     abs (moment 3) `shouldSatisfy` (< 5 * sqrt (15 / n))
     abs (moment 4 - 3) `shouldSatisfy` (< 5 * sqrt (96 / n))
-  it "the two of a pair are uncorrelated within five standard errors" $ do
+  it "the two draws of a pair are uncorrelated within five standard errors" $ do
     let count = 50000 :: Int
         (vs, _) = normals (2 * count) (mkStdGen 7)
         products =

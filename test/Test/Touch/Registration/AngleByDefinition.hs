@@ -1,7 +1,7 @@
 {-# OPTIONS_GHC -O1 #-}
 
--- | The angle of a lattice under frames, found by what each frame tells at any angle: against its
--- definition, for frames that tell anything.
+-- | Tests the angle of a lattice under frames, found from any likelihoods of frames at any angle,
+-- against its definition.
 module Test.Touch.Registration.AngleByDefinition (spec) where
 
 import Data.List (find, genericLength, maximumBy, sortOn)
@@ -18,7 +18,7 @@ import Test.Touch.Image.RastersAndCorrelation (genRasterOf)
 spec :: Spec
 spec =
   withCases 25 200 $
-    it "the angle is found as defined, whatever frames tell, to where there is none" $
+    it "the angle is found as defined for any likelihoods, until there is none" $
       forAllBlind genTold $ \(images, roughly, finely) ->
         forAll (choose (0, 4) >>= \n -> vectorOf n (choose (-45, 45))) $ \hints ->
           let wanted level = defined (spectra 5 5) hints images roughly (map (above level) finely)
@@ -40,7 +40,7 @@ spec =
                     | level <- [fst levels, snd levels, 200]
                   ]
   where
-    -- Two levels next to each other between which the answer changes.
+    -- Two adjacent levels between which the answer changes.
     closer n answer (a, b)
       | n <= 0 = (a, b)
       | answer middle == answer a = closer (n - 1) answer (middle, b)
@@ -57,8 +57,8 @@ spec =
             ]
         }
 
--- | Frames, of which some are of another size, and what each tells of any angle: at whole taxels,
--- and at all places.
+-- | Frames, some of another size, and the likelihood of each at any angle: at whole taxels, and at
+-- all places.
 genTold :: Gen ([Raster], [Double -> Double], [Double -> Double])
 genTold = do
   count <- choose (1, 16)
@@ -78,14 +78,14 @@ genTold = do
   where
     frame = frequency [(8, fainter <$> choose (0, 1) <*> genRasterOf 5 5), (1, genRasterOf 4 6)]
     fainter k = mapRaster (* k)
-    -- What is left of an angle up to half turns.
+    -- The rest of an angle up to half turns.
     turns a = let b = a / 180 in 180 * abs (b - fromIntegral (round b :: Int))
 
--- | Upright, if that is likelier than other relief and than three degrees to either side; else near
--- the likeliest of three hints and upright; or at nine degrees' distances wherever it is likeliest;
--- if that is likelier than other relief. Where five frames at whole taxels do not show it upright,
--- and the first hint at which they show it, or else the likeliest, is far likelier there, near that
--- hint, and upright last.
+-- | The angle by definition. It is upright if that is likelier than other relief and than three
+-- degrees to either side. Else it is near the likeliest of three hints and upright, or wherever it
+-- is likeliest in steps of nine degrees, if that is likelier than other relief. If five frames at
+-- whole taxels do not show it upright, and the first hint at which they show it (or else the
+-- likeliest) is far likelier, it is searched near that hint, and upright last.
 defined ::
   Spectra ->
   [Double] ->
@@ -114,26 +114,26 @@ defined processes hints images roughly finely
       | a >= 90 = folded (a - 180)
       | otherwise = a
     ofSize = [k | (k, image) <- zip [0 ..] images, rasterSize image == rasterSize (head images)]
-    -- Twelve of them evenly; those that show most first.
+    -- Twelve of them, evenly taken; those with most contrast first.
     few = [k | (i, k) <- zip [0 ..] ofSize, n <= 12 || (i * 12) `div` n /= ((i - 1) * 12) `div` n]
     n = length ofSize
     telling = sortOn (Down . standardDeviation . (images !!)) ofSize
     summed told ks a = sum [(told !! k) a | k <- ks]
     coarse count = summed roughly (take count telling)
     fine count = summed finely (take count telling)
-    -- So much likelier that the posterior of a lattice is 0.99; of a frame's 25 pixels two more
-    -- numbers are found than of other relief.
+    -- Enough for a posterior of a lattice of 0.99; a frame of 25 pixels determines two more numbers
+    -- than other relief.
     shown = shownBy finely few
     shownBy told ks a = summed told ks a - genericLength ks * log 25 > others ks + log 99
-    -- Any other relief, of which a tenth at least is noise.
+    -- Any other relief, at least a tenth of which is noise.
     others = sum . map (likely . coefficients)
     likely seen = densityLog (fitTo processes (processOf processes 0.1 [seen]) seen)
     coefficients k = coefficientsOf processes (images !! k)
     likeliest = maximumBy (comparing (\a -> (coarse 5 a, a)))
-    -- From there by two degrees, at most three of them, at whole taxels.
+    -- From there in steps of two degrees, at most three, at whole taxels.
     settled a = foldl looked a [4, 2]
     looked a by = maximumBy (comparing (\b -> (coarse 8 b, b))) [a - by, a, a + by]
-    -- By two degrees at all places, three times at most; then to the vertex of a parabola.
+    -- In steps of two degrees at all places, three times at most; then to the vertex of a parabola.
     uphill left a
       | left > 0 && below > here = uphill (left - 1) (a - 2)
       | left > 0 && above > here = uphill (left - 1) (a + 2)

@@ -1,5 +1,5 @@
--- | What is answered of two frames: what their posterior says of the best place and of each axis,
--- from which confidence on that is given, and pairs whose answer is known beforehand.
+-- | Tests the answers about two frames: the best place and each axis against the posterior, the
+-- confidence from which they are given, and pairs whose answer is known.
 module Test.Touch.Registration.AnswersOfPairs (spec) where
 
 import Data.List (maximumBy)
@@ -37,9 +37,9 @@ spec = do
 
 askedSpec :: Spec
 askedSpec = do
-  it "by default is asked within 3 taxels, by the better method, with 99 % confidence" $
+  it "standardPairing searches within 3 taxels, by the better method, with 99 % confidence" $
     standardPairing (1, 2) `shouldBe` Pairing (1, 2) 3 Auto 0.99
-  it "frames of other sizes than the tables', or out of 4 to 256 taxels, are refused by name" $ do
+  it "frames of other sizes than the tables', or beyond 4 to 256 taxels, are refused by name" $ do
     known <- right paperAlphabet
     let asked (w, h) (m, n) (u, v) =
           ()
@@ -53,7 +53,7 @@ askedSpec = do
     map (\size -> asked (4, 4) size size) [(3, 4), (4, 3), (257, 4), (4, 257), (5, 4), (4, 5)]
       `shouldBe` map (Left . PairFrameSize) [(3, 4), (4, 3), (257, 4), (4, 257), (5, 4), (4, 5)]
     asked (4, 4) (4, 4) (4, 5) `shouldBe` Left (PairSizes (4, 4) (4, 5))
-  it "values that are not finite are refused, and settings out of their ranges, by name" $ do
+  it "values that are not finite, and settings out of their ranges, are refused by name" $ do
     known <- right paperAlphabet
     let frame = generate 5 5 (\x y -> fromIntegral ((x * 3 + y * 5) `mod` 7))
         with v = generate 5 5 (\x y -> if (x, y) == (4, 4) then v else 0.5)
@@ -69,8 +69,8 @@ askedSpec = do
     [refused usual {pairingStep = s} | s <- [(1000.5, 0), (-1000.5, 0), (0, 1000.5), (0, -1000.5)]]
       `shouldBe` replicate 4 True
 
--- | What is asked of two frames by themselves, these, and what is known of them, which
--- "Test.Touch.Registration.PairsByFormulas" holds to the formulas.
+-- | A question about two frames by themselves, the frames, and the posterior, which
+-- "Test.Touch.Registration.PairsByFormulas" compares with the formulas.
 genAsked :: Gen (Pairing, (Raster, Raster), Known)
 genAsked = do
   (frames, (dx, dy)) <- genFrames 9 8
@@ -87,7 +87,7 @@ genAsked = do
         [(round x + i, round y + j) | j <- [0 .. rows - 1], i <- [0 .. columns - 1]]
         (V.toList masses)
 
--- | What is answered at a confidence.
+-- | The answer at a confidence.
 answer :: Pairing -> (Raster, Raster) -> Double -> Maybe Match
 answer pairing (a, b) confidence = do
   known <- either (const Nothing) Just paperAlphabet
@@ -106,7 +106,7 @@ real = fromIntegral
 near :: Double -> Double -> Bool
 near p q = abs (p - q) < 1e-6
 
--- | How much lies within three quarters of a taxel of a place, along both axes.
+-- | The probability within three quarters of a taxel of a place, along both axes.
 heldAround :: Known -> (Double, Double) -> Double
 heldAround known (x, y) =
   sum [p | ((i, j), p) <- known, abs (real i - x) <= reach, abs (real j - y) <= reach]
@@ -115,7 +115,7 @@ heldAround known (x, y) =
 
 posteriorSpec :: Spec
 posteriorSpec = do
-  it "the best place, how sure that and others are, and the deviations are those of the posterior" $
+  it "the best place, the probabilities and the deviations are those of the posterior" $
     forAllBlind (genAsked `suchThat` crooked) $ \(pairing, frames, known) ->
       case answer pairing frames 0.99 of
         Nothing -> property False
@@ -133,7 +133,7 @@ posteriorSpec = do
                   && and [near p (heldAround known d) | Hypothesis d p <- matchHypotheses found]
                   && near (fst (matchDeviations found)) (deviation fst)
                   && near (snd (matchDeviations found)) (deviation snd)
-  it "an axis is fixed from the confidence on that two places side by side along it have" $
+  it "an axis is fixed if two adjacent places along it have more than the confidence" $
     forAllBlind (genAsked `suchThat` crooked) $ \(pairing, frames, known) ->
       let along part =
             maximum
@@ -147,7 +147,7 @@ posteriorSpec = do
             [fmap fst (fixed c) === Just (c < x && not severalX) | c <- beside x]
             .&&. conjoin [fmap snd (fixed c) === Just (c < y && not severalY) | c <- beside y]
   where
-    -- Along a straight edge the prior alone is left.
+    -- Along a straight edge only the prior is left.
     crooked (Pairing _ _ method _, (a, b), known) =
       method /= Blind || isNothing (straightness (fst (maximumBy (comparing snd) known)) a b)
 
@@ -156,7 +156,7 @@ several (Pairing step search _ _) (a, b) = apart (agreements step search a b)
 
 refusalSpec :: Spec
 refusalSpec = do
-  it "an answer is given from the confidence on that it has; where nothing tells, at none" $
+  it "an answer is given if its probability exceeds the confidence, and never without relief" $
     forAllBlind genAsked $ \asked@(pairing, frames, _) ->
       let p = maybe 0 (hypothesisProbability . matchBest) (answer pairing frames 0.99)
        in conjoin
@@ -165,14 +165,14 @@ refusalSpec = do
                   === Just (c < p && telling asked)
               | c <- beside p
             ]
-  it "confidence changes nothing but whether the answer is given" $
+  it "the confidence only decides whether the answer is given" $
     forAllBlind genAsked $ \(pairing, frames, _) -> forAll (choose (0, 1)) $ \confidence ->
       let what c = do
             found <- answer pairing frames c
             let Match _ best deviation _ method others = found
             pure (best, deviation, method, others)
        in what confidence === what 0.99
-  it "no overlap, blank, one axis and ambiguous are refused for what they are called" $
+  it "no overlap, blank, one axis and ambiguous are the reasons that their names say" $
     forAllBlind genAsked $ \asked@(pairing, frames@(a, b), _) ->
       let p = maybe 0 (hypothesisProbability . matchBest) (answer pairing frames 0.99)
           likelier = zipWith (-) (reliefLogs (reliefOf [a, b])) (map whiteNoise [a, b])
@@ -198,7 +198,7 @@ refusalSpec = do
 
 methodSpec :: Spec
 methodSpec =
-  it "by the lattice if that is likelier than other relief; if not, by it the prior alone is sure" $
+  it "Auto uses the lattice if that is likelier; else Lattice is sure only of the prior" $
     forAllBlind genAsked $ \(pairing@(Pairing _ search _ _), frames@(a, b), _) ->
       let likely known = sum (map (logDensity . likelihood (templates known 0 9 8) . whole) [a, b])
           latticed = either (const False) shown paperAlphabet
@@ -231,7 +231,7 @@ genTexture = do
 
 knownSpec :: Spec
 knownSpec = do
-  it "frames that are the same, or displaced by what is known, are so registered" $
+  it "equal frames, and frames with a known displacement, are registered to it" $
     forAllBlind genTexture $ \texture ->
       forAll (elements [(0, 0), (3, 0), (-2, 4), (6, 1)]) $ \(dx, dy) ->
         forAll (elements [Correlation, Blind, Auto]) $ \method ->
@@ -245,11 +245,11 @@ knownSpec = do
                     counterexample (show found) $
                       isNothing (matchRefusal found) && close (hypothesisShift (matchBest found))
                   Nothing -> property False
-  it "of two places that are quite alike the one nearer to the robot's is the best" $
+  it "of two places that are equally good the one nearer to the robot's is the best" $
     forAllBlind ((,,) <$> genTexture <*> genRasterOf 8 16 <*> genRasterOf 8 16) $
       \(texture, one, other) -> forAll (elements [False, True]) $ \upright ->
-        -- Frames that are their own mirror images, of relief that repeats every 6 taxels, the
-        -- second 3 on: that is 3 back as well.
+        -- Frames that are their own mirror images, of relief that repeats every 6 taxels. The
+        -- second is 3 further, which is 3 back as well.
         let frame off noise = generate 16 16 $ \x y ->
               let (t, v) = if upright then (y, x) else (x, y)
                   u = (min t (15 - t) + off + 1) `mod` 6
@@ -268,7 +268,7 @@ knownSpec = do
 
 straightSpec :: Spec
 straightSpec = do
-  it "along an edge that stands upright or level the prior is left, and across it what was found" $
+  it "along an upright or level edge the prior is left, and across it the posterior" $
     forAllBlind (vectorOf 24 (choose (0, 1))) $ \logs -> forAll (elements [False, True]) $ \level ->
       let edge t = if t < (5 :: Int) then 0 else 1
           frame off = generate 9 9 (\x y -> edge (off + if level then y else x))
@@ -283,7 +283,7 @@ straightSpec = do
           wanted u v = across (posteriorMasses found) u * prior v / sum (map prior [0 .. 4])
        in counterexample (show left) $
             and [near (at left u v) (wanted u v) | u <- [0 .. 4], v <- [0 .. 4 :: Int]]
-  it "what is surely at one place may be along the edge wherever the line through it leads" $
+  it "a place that is certain may move along the edge, as far as the line through it leads" $
     forAll (choose (0, pi)) $ \angle ->
       forAllBlind ((,) <$> genRasterOf 16 16 <*> genRasterOf 16 16) $ \(one, other) ->
         let (c, s) = (cos angle, sin angle)
@@ -300,7 +300,7 @@ straightSpec = do
                   [ if m > 0 then off i < 0.8 else off i > 0.2
                     | (i, m) <- zip [0 ..] (V.toList left)
                   ]
-  it "where nothing is straight all is left as it was found" $
+  it "without any straight edge the posterior is unchanged" $
     forAllBlind genTexture $ \texture ->
       let frame = generate 16 16 texture
           found = posterior (-3, -3) 1 (7, 7) (V.generate 49 (\i -> if i == 24 then 0 else -9))

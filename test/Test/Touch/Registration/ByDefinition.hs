@@ -1,7 +1,7 @@
 {-# OPTIONS_GHC -O1 #-}
 
--- | Registration by the lattice as a whole, held to its formulas: what one frame tells, where many
--- frames lie, and where one lies in another.
+-- | Tests registration by the lattice as a whole against its formulas: the likelihood of one frame,
+-- the places of many frames, and the place of one in another.
 module Test.Touch.Registration.ByDefinition (spec) where
 
 import Control.Monad (forM)
@@ -40,19 +40,19 @@ spec = do
 
 cellSpec :: Spec
 cellSpec =
-  it "a cell is likely as the mean over its classes, and 0.01 for nothing in it" $
+  it "the likelihood of a cell is the mean over its classes, and 0.01 for an empty one" $
     forAll (elements [0.5, 5, 50, 900]) $ \wide ->
       forAll (choose (1, 9) >>= (`vectorOf` choose (negate wide, wide))) $ \told ->
         let found = cellLog (length told) (told !!)
             wanted = cellLogOf told
          in counterexample (show (found, wanted)) $
-              -- What is less likely by e^30 does not count.
+              -- A class that is less likely by e^30 does not count.
               abs (found - wanted) < 1e-9 * max 1 (abs found)
 
 tablesOf :: Double -> (Int, Int) -> Templates
 tablesOf = tablesAt paperTables
 
--- | What tables at any angle have of a frame, which drawn symbols are compared with elsewhere.
+-- | The tables' values for a frame at any angle, which other tests compare with drawn symbols.
 tabled :: Templates -> Raster -> Felt
 tabled tables image =
   Map.fromList
@@ -72,7 +72,7 @@ tabled tables image =
     (products, sums, squares) =
       (correlations tables image, templateSums tables, templateSquares tables)
 
--- | The number that tables give a phase which begins there, in places from the frame's upper left
+-- | The number in the tables of a phase that begins there, in places from the frame's upper left
 -- taxel.
 phaseNumber :: Templates -> (Int, Int, Int) -> Int
 phaseNumber tables (o, y, x) =
@@ -85,7 +85,8 @@ phaseNumber tables (o, y, x) =
 paper :: Drawings
 paper = either (error . show) drawings paperAlphabet
 
--- | What a frame tells at whole and at half taxels: drawn along its axes, by the tables at angles.
+-- | The correlations of a frame at whole and at half taxels: drawn along its axes, from the tables
+-- at angles.
 felt :: Double -> Raster -> (Felt, Felt)
 felt angle image
   | angle == 0 = (drawn paper 1 image, drawn paper 2 image)
@@ -93,7 +94,7 @@ felt angle image
   where
     tables = tablesOf angle (rasterSize image)
 
--- | By definition, theta and what it makes of the classes; and theta as it is found at whole
+-- | By definition, theta and the likelihoods of the classes that follow from it; and theta at whole
 -- taxels, by the phases that count there.
 fitted ::
   Double ->
@@ -119,7 +120,7 @@ fitted angle image = (theta, classLogsOf theta fine, (rough, counts))
             j <- [-1 .. 1],
             i <- [-1 .. 1]
         ]
-    -- Of more than a quarter, all.
+    -- All, if these are more than a quarter.
     amongAll count these
       | 4 * Set.size these > count = const True
       | otherwise = (`Set.member` these)
@@ -134,7 +135,7 @@ near to what found wanted =
 
 frameSpec :: Spec
 frameSpec =
-  it "what a frame tells is what all phases and classes say, at four coarse steps and a fine one" $
+  it "a frame's likelihood sums over phases and classes, after four coarse steps and a fine one" $
     forAllBlind genFrame $ \image -> forAll (elements [0, 0, 30]) $ \angle ->
       let tables = tablesOf angle (rasterSize image)
           n = taxels image
@@ -145,9 +146,9 @@ frameSpec =
           told = fitOf tables (whole image)
           Likelihood _ (Theta a' b' v') _ classes' cells' phases' _ logs = fitLikelihood told
           some = phaseLogs (fitSome told)
-          -- What is told of some phases is that, and what is left out matters next to nothing.
+          -- Values of evaluated phases are equal, and the phases left out hardly matter.
           told' k l = let l' = some V.! phaseNumber tables k in if isInfinite l' then l else l'
-          -- The tables' blur is so to 1e-7, and logarithms are large.
+          -- The tables' blur is accurate to 1e-7, and logarithms are large.
           close what one other = near (1e-4 * (1 + maximum (map abs other))) what one other
        in conjoin
             [ near 1e-4 "theta" [a', b', v'] [a, b, v],
@@ -188,7 +189,7 @@ genFrame = do
 
 ascentSpec :: Spec
 ascentSpec =
-  it "no step of expectation and maximisation makes a frame less likely, nor do those by phases" $
+  it "no step of expectation and maximisation lowers a frame's likelihood, nor one by phases" $
     forAllBlind genFrame $ \image -> forAll (elements [0, 37, -61]) $ \angle ->
       let tables = tablesOf angle (rasterSize image)
           standard = standardised image
@@ -209,7 +210,7 @@ ascentSpec =
 
 jointSpec :: Spec
 jointSpec =
-  it "frames lie together where their common phase, displacements and mean field have them" $
+  it "the places of frames follow from their common phase, displacements and mean field" $
     forAll (elements [0, 0, 20]) $ \angle ->
       forAllBlind genFrames $ \frames ->
         let settings = standardRegistration {registrationSigma = Just 0.4, registrationReach = 2}
@@ -222,7 +223,7 @@ jointSpec =
               .&&. near 1e-3 "sigma" (toList sigma) [sigma' | length frames > 1]
   where
     genFrames = do
-      -- Two frames are held to all phases below.
+      -- Two frames are compared with all phases below.
       count <- elements (byEffort [3] [1, 3])
       forM [1 .. count :: Int] $ \k -> do
         jitter <- (,) <$> choose (-1, 1) <*> choose (-1, 1)
@@ -241,7 +242,7 @@ jointSpec =
     other (Hypothesis s p) (Hypothesis s' p') = nearPlace 1e-9 s s' && abs (p - p') < 1e-3
     nearPlace to (x, y) (x', y') = abs (x - x') < to && abs (y - y') < to
 
--- | By definition, where frames lie that a robot displaces, on a lattice at an angle, and the
+-- | By definition, the places of frames that a robot displaces, on a lattice at an angle, and the
 -- standard deviation of its error.
 together :: Robot -> Double -> [((Double, Double), Raster)] -> ([Estimate], Double)
 together robot angle frames =
@@ -287,7 +288,7 @@ together robot angle frames =
 
 pairSpec :: Spec
 pairSpec =
-  it "two frames lie as probably at each place as all phases and symbols together say" $
+  it "the posterior of two frames' displacement sums over all phases and symbols together" $
     forAllBlind genPair $ \(step, a, b) ->
       let told = likelihood (tablesOf 0 (12, 13)) . whole
           Posterior origin spacing size masses = latticePosterior step 1 (told a) (told b)

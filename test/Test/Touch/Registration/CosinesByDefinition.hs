@@ -1,4 +1,4 @@
--- | The cosine transform of images and of their patches, held against its definition.
+-- | Tests the cosine transform of images and of their patches against its definition.
 module Test.Touch.Registration.CosinesByDefinition (spec) where
 
 import qualified Data.Vector.Storable as V
@@ -11,17 +11,17 @@ import Test.QuickCheck hiding (generate)
 
 spec :: Spec
 spec = do
-  prop "of an image it is the sum over its pixels with a cosine along each axis" $
+  prop "of an image are the sums over its pixels with a cosine along each axis" $
     forAll (images 1 9) $ \image ->
       near (cosineTransform (cosinesFor image) image) (V.fromList (map snd (cosines image)))
-  prop "of a patch it is that of the patch cut out" $
+  prop "of a patch are those of the patch cut out" $
     forAll (images 2 12) $ \image ->
       forAll (stretch (rasterWidth image)) $ \(x, w) ->
         forAll (stretch (rasterHeight image)) $ \(y, h) ->
           let known = cosinesFor image
               cut = generate w h (\i j -> pixel image (x + i) (y + j))
            in near (patchTransform known (strip known image x w) y h) (cosineTransform known cut)
-  prop "it keeps what an image has beside its mean: the sum of squares" $
+  prop "keep the sum of squares about an image's mean" $
     forAll (images 1 32) $ \image ->
       let values = rasterValues image
           middle = V.sum values / fromIntegral (V.length values)
@@ -29,7 +29,7 @@ spec = do
        in near
             (V.singleton (squares (cosineTransform (cosinesFor image) image)))
             (V.singleton (squares (V.map (subtract middle) values)))
-  it "has at most 32 frequencies a side" $ do
+  it "have at most 32 frequencies along each side" $ do
     let image = generate 40 3 (\i j -> fromIntegral (i * j))
     V.length (cosineTransform (cosinesFor image) image) `shouldBe` 32 * 3 - 1
     highest `shouldBe` 32
@@ -37,7 +37,7 @@ spec = do
 cosinesFor :: Raster -> Cosines
 cosinesFor image = cosinesUpTo (max (rasterWidth image) (rasterHeight image))
 
--- | Images with sides from the one to the other, and values within 0..1.
+-- | Images with sides between these bounds, and values within 0..1.
 images :: Int -> Int -> Gen Raster
 images least most = do
   w <- chooseInt (least, most)
@@ -45,7 +45,7 @@ images least most = do
   values <- V.fromList <$> vectorOf (w * h) (choose (0, 1))
   pure (generate w h (\i j -> values V.! (j * w + i)))
 
--- | A part of a side: from where on, and how much.
+-- | A part of a side: its start and its length.
 stretch :: Int -> Gen (Int, Int)
 stretch side = do
   from <- chooseInt (0, side - 1)

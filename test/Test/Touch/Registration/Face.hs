@@ -14,7 +14,7 @@ import Test.Touch.Sensor.MeanHeights (embossing)
 frameAt :: (Int, Int) -> (Double, Double) -> Raster
 frameAt = frameTurned 0
 
--- | One that is turned about its middle by so many degrees clockwise.
+-- | A frame that is turned about its middle by these degrees clockwise.
 frameTurned :: Double -> (Int, Int) -> (Double, Double) -> Raster
 frameTurned angle (wide, high) (x, y) =
   generate wide high $ \i j ->

@@ -1,5 +1,6 @@
--- | Registration one frame after the other: each frame lies where the composite of others and the
--- robot have it most probably, at first of those placed before it, in the end of all others.
+-- | Tests registration of one frame after the other: each frame lies where the composite of others
+-- and the robot make it most probable. These are first the frames placed before it, and in the end
+-- all others.
 module Test.Touch.Registration.GrownAndSwept (spec) where
 
 import Data.List (nub, (\\))
@@ -17,41 +18,41 @@ import Test.Touch.Image.RastersAndCorrelation (genRasterOf)
 
 spec :: Spec
 spec = withCases 25 200 $ do
-  it "frames are displaced by eighths of a taxel, in the mean by less than one" $
+  it "displacements are in eighths of a taxel, with a mean below one eighth" $
     forAllBlind genFrames $ \frames -> forAll (genSettings [0, 1, 5]) $ \settings ->
       let moves = register settings frames
        in counterexample (show moves) $
             map eighths moves == moves && nearBy (1 / 16) (meanOf moves) (0, 0)
-  it "without sweeps each frame is as probable as at any whole taxel, by those placed before it" $
+  it "without sweeps no whole taxel is more probable for a frame, given those placed before it" $
     forAllBlind genFrames $ \frames -> forAll (genSettings [0]) $ \settings ->
       let moves = register settings frames
           orders = growing frames
           grown order = and [lying n k | (n, k) <- zip [0 ..] order]
             where
-              -- The first one is where the robot has it.
+              -- The first one is at the robot's position.
               placed = [move `minus` (moves !! head order) | move <- moves]
               lying n k = anywhere settings frames placed (take n order) k (0, 0)
        in counterexample (show (orders, moves)) (any grown orders)
-  it "where a sweep changes nothing, each is as probable as around it, or anywhere, by all others" $
+  it "after a sweep without changes no place is more probable for a frame, given all others" $
     forAllBlind genFrames $ \frames -> forAll (genSettings [9]) $ \settings ->
       let moves = register settings frames
           numbers = [0 .. length frames - 1]
           still = moves == register settings {registrationSweeps = 8} frames
           others k = numbers \\ [k]
-          -- All may have moved alike, each when those before it had.
+          -- All may have moved by one step, each when those before it had.
           alike by = all (\k -> best settings frames (placed k) (others k) k 1 (old k)) numbers
             where
               old k = (moves !! k) `minus` by
               placed k = [if l <= k then moves !! l else old l | l <- numbers]
           steps = [(x, y) | y <- line, x <- line]
           line = [signed * t / 8 | t <- [0 .. 16], signed <- [1, -1]]
-          -- Where the first sweep moves none, there is no other.
+          -- If the first sweep moves no frame, there is no second.
           wide k = anywhere settings frames moves (others k) k (moves !! k)
        in classify still "still" $
             counterexample (show moves) (not still || all wide numbers || any alike steps)
 
--- | Whether a frame is as probable as wherever the robot may have put it, at whole taxels from
--- where it was before.
+-- | Whether no other place of the robot is more probable for a frame, at whole taxels from where it
+-- was before.
 anywhere :: Registration -> [(Taxels, Raster)] -> [Taxels] -> [Int] -> Int -> Taxels -> Bool
 anywhere settings frames placed these k old =
   any
@@ -59,17 +60,17 @@ anywhere settings frames placed these k old =
     (nub [whole ((middle `minus` old) `plus` (u, v)) | u <- hair, v <- hair])
   where
     middle = meanOf (map (placed !!) these)
-    -- What is half a taxel by rounding alone may be either.
+    -- A half taxel up to rounding may be either.
     hair = [-1e-9, 1e-9]
 
--- | The standard deviation of a displacement about the mean of these others, which is known up to
--- its own error, in those of one.
+-- | The standard deviation of a displacement about the mean of these others, which has an error of
+-- its own, in units of that of one frame.
 spreadBeside :: [Int] -> Double
 spreadBeside these = sqrt (1 + 1 / fromIntegral (max 1 (length these)))
 
--- | Whether a frame is as probable as at all whole taxels from a start, at most this far, and is
--- refined from one of them by a half, a quarter and an eighth; given the displacements of all
--- frames, and which of them it is held against.
+-- | Whether no whole taxel from a start, up to this distance, is more probable for a frame, and
+-- whether it was refined from one of them by a half, a quarter and an eighth. Given are the
+-- displacements of all frames, and which of them count.
 best ::
   Registration -> [(Taxels, Raster)] -> [Taxels] -> [Int] -> Int -> Double -> Taxels -> Bool
 best settings frames placed these k radius start =
@@ -81,7 +82,7 @@ best settings frames placed these k radius start =
     score = likely settings frames placed these k start prior
     near = wholeTaxels radius start
 
--- | Parts of one relief, some hardly to be seen, near their places or far from all others.
+-- | Parts of one relief, some hardly visible, near their places or far from all others.
 genFrames :: Gen [(Taxels, Raster)]
 genFrames = do
   relief <- referenceOf <$> genRasterOf 13 13
@@ -102,7 +103,7 @@ genFrames = do
         image = generate 6 5 (\u v -> contrast * (seen u v + noise u v))
     pure ((x + far, y), image)
 
--- | Settings with so many sweeps.
+-- | Settings with these sweeps.
 genSettings :: [Int] -> Gen Registration
 genSettings sweeps =
   Registration
@@ -111,9 +112,9 @@ genSettings sweeps =
     <*> pure 2
     <*> elements sweeps
 
--- | The orders of growth: next is the frame whose nominal overlaps with those placed tell most; of
--- equals that whose overlaps with all do, and of equals the first. What differs by rounding alone
--- may be either.
+-- | The orders of growth. The next frame is the one whose nominal overlaps with those placed carry
+-- most information; of equals the one whose overlaps with all do, and of equals the first.
+-- Differences of rounding may go either way.
 growing :: [(Taxels, Raster)] -> [[Int]]
 growing frames = grown [] [0 .. length frames - 1]
   where
@@ -138,9 +139,9 @@ growing frames = grown [] [0 .. length frames - 1]
       let Overlap n va vb _ = overlapAt (referenceOf a) b (u - x) (v - y) in n * sqrt (va * vb)
 
 -- | The logarithm of a frame's likelihood and prior at a displacement, given the displacements of
--- all frames and which of these it is held against. They are laid on a grid on which the frame's
--- pixels lie if it is displaced as at the start; each of their pixels counts as surely as the mean
--- of so many frames is known, and an overlap no more than that at the start.
+-- all frames and which of these count. They are laid on a grid that contains the frame's pixels if
+-- it is displaced as at the start. Each of their pixels is weighted by the certainty of a mean of
+-- that many frames, and an overlap counts no more than at the start.
 likely ::
   Registration ->
   [(Taxels, Raster)] ->
@@ -174,7 +175,7 @@ likely settings frames placed these k start prior = \d ->
             let (there, other) = frames !! l
         ]
 
--- | The places that lie whole taxels from a start, at most this far.
+-- | The places at whole taxels from a start, up to this distance.
 wholeTaxels :: Double -> Taxels -> [Taxels]
 wholeTaxels radius start =
   [start `plus` (i, j) | j <- [-9 .. 9], i <- [-9 .. 9], sqrt (i * i + j * j) <= radius]

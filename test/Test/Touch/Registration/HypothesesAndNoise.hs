@@ -1,4 +1,4 @@
--- | What stitching is made of, each part against its definition: what is known of a displacement,
+-- | Tests the parts of stitching, each against its definition: the posterior of a displacement,
 -- which frames overlap, and the noise of frames.
 module Test.Touch.Registration.HypothesesAndNoise (spec) where
 
@@ -17,8 +17,8 @@ import Test.QuickCheck hiding (generate)
 
 spec :: Spec
 spec = do
-  describe "What is known of a displacement" $ withCases 25 200 posteriorSpec
-  describe "Which frames overlap" neighbourSpec
+  describe "The posterior of a displacement" $ withCases 25 200 posteriorSpec
+  describe "Pairs of overlapping frames" neighbourSpec
   describe "The noise of frames" noiseSpec
   describe "The places of symbols" placesSpec
   describe "Numbers with errors" effectsSpec
@@ -26,7 +26,7 @@ spec = do
 near :: Double -> Double -> Property
 near wanted came = counterexample (show (wanted, came)) (abs (wanted - came) < 1e-9)
 
--- | Masses on a grid, some of them none.
+-- | Masses on a grid, some of them 0.
 genPosterior :: Gen Posterior
 genPosterior = do
   columns <- choose (1, 9)
@@ -48,7 +48,7 @@ pointsOf (Posterior (ox, oy) spacing (columns, rows) masses) =
 
 posteriorSpec :: Spec
 posteriorSpec = do
-  it "is in proportion to the exponentials; what is no number counts for nothing" $
+  it "is proportional to the exponentials, and ignores NaN" $
     forAll (listOf1 (frequency [(6, choose (-800, 800)), (1, pure (0 / 0)), (1, pure (-1 / 0))])) $
       \logs ->
         let Posterior _ _ _ masses = posterior (0, 0) 1 (length logs, 1) (V.fromList logs)
@@ -60,7 +60,7 @@ posteriorSpec = do
                   (map (if null finite then const (1 / genericLength logs) else share) logs)
                   (V.toList masses)
               )
-  it "around a place is the sum of what lies within three quarters of a taxel, on both axes" $
+  it "around a place is the sum of all within three quarters of a taxel, along both axes" $
     forAll genPosterior $ \known ->
       forAll ((,) <$> choose (-2, 10) <*> choose (-2, 10)) $ \(dx, dy) ->
         let (ox, oy) = posteriorOrigin known
@@ -68,7 +68,7 @@ posteriorSpec = do
          in near
               (sum [m | ((u, v), m) <- pointsOf known, abs (u - x) <= 0.75, abs (v - y) <= 0.75])
               (probabilityAround known (x, y))
-  it "has its best place where most lies around, as far as a thousandth counts" $
+  it "is greatest around its best place, within a hundredth" $
     forAll genPosterior $ \known ->
       let best = hypothesisProbability <$> take 1 (hypotheses 1 0 known)
           -- Any place is as good as one of these, at whose edges points lie.
@@ -81,11 +81,11 @@ posteriorSpec = do
           most = maximum (map (probabilityAround known) places)
        in counterexample (show (best, most)) $
             all (\p -> p <= most + 1e-9 && p >= 0.99 * most) best && length best == 1
-  it "has hypotheses with what lies around each, less what the ones before have" $
+  it "has hypotheses with the probability around each that those before leave" $
     forAll genPosterior $ \known -> forAll (choose (1, 5)) $ \count ->
       forAll (elements [0, 0.01, 0.1, 0.4]) $ \least ->
         let found = hypotheses count least known
-            -- What lies at the edge counts, to rounding.
+            -- Points at the edge count, up to rounding.
             apart (x, y) (u, v) = max (abs (x - u)) (abs (y - v)) > 0.75 + 1e-7
             left firsts place =
               sum
@@ -103,7 +103,7 @@ posteriorSpec = do
                     | (firsts, h) <- zip earlier found
                   ]
               )
-  it "has one at least, however few are asked for and however probable" $
+  it "has at least one hypothesis, whatever the number and the probability requested" $
     forAll genPosterior $ \known ->
       map length [hypotheses 0 0 known, hypotheses 1 1.5 known, hypotheses 3 1.5 known]
         === [1, 1, 1]
@@ -116,7 +116,7 @@ posteriorSpec = do
           (alongX, alongY) = deviations known
           close a b = counterexample (show (a, b)) (abs (a - b) < 1e-6)
        in close (deviation fst) alongX .&&. close (deviation snd) alongY
-  it "has marginals: along each axis by itself, the most that lies around a place" $
+  it "has marginals: for each axis by itself, the greatest probability around a place" $
     forAll genPosterior $ \known ->
       let best part =
             maximum
@@ -125,7 +125,7 @@ posteriorSpec = do
               ]
           (alongX, alongY) = marginals known
        in near (best fst) alongX .&&. near (best snd) alongY
-  it "is, before anything is seen, normal around the step, with half the search as deviation" $
+  it "is initially normal around the step, with half of the search as deviation" $
     forAll genPosterior $ \known -> forAll (elements [0, 1, 3, 8]) $ \search ->
       forAll ((,) <$> choose (-20, 20) <*> choose (-20, 20)) $ \(stepX, stepY) ->
         let weight (x, y)
@@ -142,7 +142,7 @@ posteriorSpec = do
 
 neighbourSpec :: Spec
 neighbourSpec = do
-  it "each pair once, with its step and the share of the smaller frame, along x times along y" $
+  it "are listed once, with the step and the overlap as a share of the smaller frame" $
     forAll (choose (0, 12) >>= (`vectorOf` genFrame)) $ \placed ->
       let numbered = zip [0 ..] placed
           meeting a m b n = max 0 (min (a + m) (b + n) - max a b) / max 1 (min m n)
@@ -164,7 +164,7 @@ neighbourSpec = do
             (k, l) == (k', l') && maximum (map abs [x - x', y - y', s - s']) < 1e-9
        in counterexample (show (wanted, found)) $
             length wanted == length found && and (zipWith alike (sort wanted) (sort found))
-  it "around so many of the frames: evenly taken, and no others" $
+  it "are found around this many of the frames, evenly taken, and no others" $
     forAll (choose (1, 16)) $ \n -> forAll (choose (1, 20)) $ \most ->
       let placed = replicate n ((0, 0), constant 4 4 0)
           firsts = nub [k | Neighbours k _ _ _ <- neighboursAround most placed]
@@ -172,7 +172,7 @@ neighbourSpec = do
           taken = [k | k <- [0 .. n - 1], n <= most || step k /= step (k - 1)]
        in -- The last one has none after it.
           firsts === filter (< n - 1) taken .&&. length taken === min n most
-  it "of many frames in one square sixteen are looked at" $
+  it "are found among sixteen of the frames in one square" $
     forAll (choose (17, 60)) $ \n ->
       let placed = replicate n ((0, 0), constant 4 4 0)
        in length (nub [l | Neighbours 0 l _ _ <- neighbours placed]) === 15
@@ -206,9 +206,9 @@ noiseSpec = do
             else
               counterexample (show (lower, found, upper)) $
                 found >= lower - bin && found <= upper + bin
-  it "is by at most 256 of the frames, evenly taken of different ones, whatever their order" $
+  it "is from at most 256 of the frames, evenly taken of different ones, in any order" $
     forAll (choose (1, 4 :: Int)) $ \every ->
-      -- Of 256 times as many, one in so many has noise.
+      -- Of 256 times 'every' images, one in 'every' has noise.
       let image k = generate 2 2 $ \x y ->
             fromIntegral k / 2048 + (if (x, y) == (1, 1) && k `mod` every == 0 then 0.5 else 0)
           images = map image [0 .. 256 * every - 1]
@@ -221,10 +221,10 @@ noiseSpec = do
       values <- vectorOf (w * h) (choose (0, 1))
       pure (generate w h (\x y -> values !! (y * w + x)))
 
--- | Where all errors are alike, by the variance s^2 of the numbers: tau^2 is s^2 - e^2 or 0.
+-- | For equal errors, by the variance s^2 of the numbers: tau^2 is s^2 - e^2 or 0.
 effectsSpec :: Spec
 effectsSpec =
-  it "numbers come nearer to their mean by what their errors explain of how they differ" $
+  it "shrink towards their mean by the share of the variance that their errors explain" $
     forAll (choose (2, 9) >>= \n -> vectorOf n (choose (-2, 2))) $ \xs ->
       forAll (choose (0.01, 4)) $ \e ->
         forAll (choose (0, length xs)) $ \k ->
@@ -232,7 +232,7 @@ effectsSpec =
               middle = sum xs / n
               variance = sum [(x - middle) * (x - middle) | x <- xs] / (n - 1)
               left = max 0 (1 - e / variance)
-              -- One that tells nothing changes nothing, and is as the others are.
+              -- A number without information changes nothing, and is estimated like the others.
               (those, these) = splitAt k [(x, e) | x <- xs]
               (found, each) = randomEffects (those ++ [(100, 1 / 0)] ++ these)
               wanted = [middle + left * (x - middle) | x <- xs]
@@ -252,7 +252,7 @@ placesSpec = do
                   | x <- [0, fromIntegral (w - 1)],
                     y <- [0, fromIntegral (h - 1)]
                 ]
-              -- Whole taxels around what the corners span, to rounding.
+              -- Whole taxels around the range of the corners, up to rounding.
               whole part =
                 let ts = map part corners
                  in (floor (minimum ts + 1e-7), ceiling (maximum ts - 1e-7)) :: (Int, Int)

@@ -1,8 +1,8 @@
 {-# OPTIONS_GHC -O1 #-}
 
--- | The steps of the joint registration of frames to a lattice, each against its formula, for any
--- likelihoods: the phase of the lattice, the displacements of a frame, what frames make of each
--- other, and where each is in the end.
+-- | Tests the steps of the joint registration of frames to a lattice, each against its formula, for
+-- any likelihoods: the phase of the lattice, the displacements of a frame, the mean field, and the
+-- final places.
 module Test.Touch.Registration.JointByFormulas (spec) where
 
 import Control.Monad (forM)
@@ -40,13 +40,13 @@ spec = do
   withCases 50 400 consensusSpec
   withCases 37 300 locatedSpec
 
--- | What a frame of nothing tells, to be told otherwise.
+-- The likelihood of an empty frame, to be replaced.
 blank :: Likelihood
 blank = likelihood (tablesOf 0 (16, 16)) (whole (constant 16 16 0))
   where
     tablesOf = tablesAt paperTables
 
--- | What a frame of nothing tells, by the phases and the classes that its tables have.
+-- | A frame at this place, with these log-likelihoods of phases and classes.
 seenAt :: (Double, Double) -> V.Vector Double -> V.Vector Double -> Seen
 seenAt place phases classes =
   Seen
@@ -60,7 +60,7 @@ seenAt place phases classes =
       ([], _) -> []
       (some, rest) -> some : inFours rest
 
--- | The robot that settings suppose, which know its error.
+-- | The robot that the settings assume, with a known error.
 robotOf :: Registration -> Robot
 robotOf settings = Robot (sigma / 2, 2 * sigma) (gridReach (latticeGrid settings))
   where
@@ -71,7 +71,7 @@ genPlace = (,) <$> choose (-40, 40) <*> choose (-40, 40)
 
 gridSpec :: Spec
 gridSpec =
-  it "the displacements reach as far as the search, by half taxels: from 2 to 64 of them" $
+  it "displacements reach as far as the search, by half taxels: from 2 to 64 of them" $
     [ gridReach (latticeGrid standardRegistration {registrationSigma = Just s, registrationReach = r})
       | (s, r) <- [(1, 4.5), (0.1, 1), (0.5, 2.2), (2, 4.5), (7, 4.5), (7.2, 4.5), (1, 0)]
     ]
@@ -79,7 +79,7 @@ gridSpec =
 
 phaseSpec :: Spec
 phaseSpec = do
-  prop "at a glance it is no likelier than at its likeliest, and as likely where one frame tells" $
+  prop "the glimpsed log is at most the likeliest phase's, and equals it for a single frame" $
     forAllBlind (choose (1, 4) >>= (`vectorOf` genOnePhase)) $ \frames ->
       forAll (elements [0.5, 1, 2]) $ \sigma ->
         let grid = latticeGrid standardRegistration {registrationSigma = Just sigma}
@@ -93,7 +93,7 @@ phaseSpec = do
          in counterexample (show (quick, likeliest)) $
               quick <= likeliest + 1e-9
                 && (length frames > 1 || abs (quick - likeliest) < 1e-9)
-  it "the lattice lies where all frames, each where its prior lets it be, have it likeliest" $
+  it "the common phase is the likeliest over all frames, each within its prior" $
     forAllBlind (choose (2, 3) >>= (`vectorOf` ((,) <$> genPlace <*> genPhases))) $ \frames ->
       forAll (choose (0.2, 0.5)) $ \sigma ->
         let settings =
@@ -114,15 +114,15 @@ phaseSpec = do
 
 optionSpec :: Spec
 optionSpec = do
-  it "exactly e^12 less likely than the best is not too little, and a little less is" $
-    -- A place to the right of the nominal one, and one to the left, are as probable beforehand.
+  it "a place exactly e^12 less likely than the best counts, and one slightly less does not" $
+    -- A place to the right of the nominal one, and one to the left, have equal priors.
     [ map displacementShift (displacementsOf (latticeGrid robot) 0 (0, 0) ((0, 0), seen l))
       | let robot = standardRegistration {registrationSigma = Just 1},
         let seen l = blank {phaseLogs = V.replicate 2560 (-1000) V.// [(31, 0), (1, l)]},
         l <- [-12, -12.000001]
     ]
       `shouldBe` [[(-1, 0), (1, 0)], [(1, 0)]]
-  it "a frame may lie where that is not less likely than its best by e^12, and sees cells there" $
+  it "a frame's displacements are those within e^12 of its best, and the cells seen there" $
     forAllBlind genSeen $ \(phases, classes, place, sigma) ->
       forAll (elements [0, 1]) $ \o ->
         forAll ((,) <$> choose (0, 39) <*> choose (0, 31)) $ \(y, x) ->
@@ -161,10 +161,10 @@ optionSpec = do
 
 consensusSpec :: Spec
 consensusSpec = do
-  it "two frames that go on changing their minds together are stopped after five sweeps" $ do
-    -- Each begins at one of two displacements of which the other frame's suits the other one.
+  it "two frames that keep changing together are stopped after five sweeps" $ do
+    -- Each begins at one of two displacements, to which the other frame's other one fits.
     let robot = Grid 2 5 [1]
-        -- The square that makes a displacement so much likelier than none, by a deviation of 1.
+        -- The square that makes a displacement this much likelier than none, for a deviation of 1.
         square l = -2 * (1 + 1 / 12) * l
         either' first second =
           [ displacementOf (0, 0) (square first) [(1, Unboxed.fromList [10, 0, 0])],
@@ -172,7 +172,7 @@ consensusSpec = do
           ]
         likeliest = map (displacementShift . fst . maximumBy (comparing snd))
     likeliest (fieldFrames (meanField robot [either' 1 0, either' 0 1])) `shouldBe` [(4, 0), (0, 0)]
-  it "frames weigh their displacements by what all others say, until none changes its mind" $
+  it "each frame weighs its displacements by those of all others, until none changes" $
     forAll (choose (1, 4) >>= (`vectorOf` genTold)) $ \frames ->
       let grid = Grid 2 5 sigmas
           field@(MeanField found) = meanField grid (map (map option) frames)
@@ -183,7 +183,7 @@ consensusSpec = do
             map (map (displacementShift . fst)) found === map (map (\(d, _, _) -> d)) frames
               .&&. property (and (zipWith (\f w -> and (zipWith close (map snd f) w)) found wanted))
               .&&. property (and (zipWith close bySigma bySigma'))
-  prop "the bound is never above log P of what frames show, and is it where nothing is open" $
+  prop "the bound is never above log P, and equals it if nothing is open" $
     forAll (choose (1, 3) >>= (`vectorOf` genTold)) $ \frames ->
       forAll (elements [[2], [1, 3, 8]]) $ \some ->
         let grid = Grid 2 5 some
@@ -211,12 +211,12 @@ consensusSpec = do
 
 locatedSpec :: Spec
 locatedSpec = do
-  it "a frame is nowhere more probably than 1, for all rounding" $
+  it "no probability of a frame exceeds 1, despite rounding" $
     forAll (vectorOf 9 (choose (0.1, 1))) $ \weights ->
       let places = [(i, j) | j <- [-1 .. 1], i <- [-1 .. 1]]
           found = estimateAt halves (0, 0) (zip places (map (/ sum weights) weights))
        in estimateProbability found <= 1 && estimateProbability found > 0.999
-  it "a frame is in the mean of the places around where most lies; others lie two taxels off" $
+  it "a frame is at the mean around its greatest mass; its alternatives are two taxels off" $
     forAll genPlace $ \place -> forAll genMasses $ \options ->
       let Estimate shift (alongX, alongY) probability others onGrid' =
             estimateAt halves (snd (onGrid halves place)) options

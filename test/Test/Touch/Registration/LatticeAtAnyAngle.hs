@@ -1,5 +1,5 @@
--- | Frames of symbols on a lattice at any angle: what they are held against, how they are
--- registered to it, and whether they contradict each other.
+-- | Tests frames of symbols on a lattice at any angle: their templates, their registration, and
+-- whether they contradict each other.
 module Test.Touch.Registration.LatticeAtAnyAngle (spec) where
 
 import Data.Foldable (for_)
@@ -35,11 +35,11 @@ import Test.Touch.Image.RastersAndCorrelation (genRasterOf)
 import Test.Touch.Paper (assemble, paperAlphabet, paperTables, stitch)
 
 spec :: Spec
-spec = either (it "there is an alphabet" . expectationFailure . show) shaped paperAlphabet
+spec = either (it "the alphabet is read" . expectationFailure . show) shaped paperAlphabet
 
 shaped :: Alphabet -> Spec
 shaped alphabet = do
-  describe "What a frame is held against" (templatesSpec alphabet)
+  describe "The templates of a frame" (templatesSpec alphabet)
   describe "Frames on a lattice" (registered alphabet)
   describe "The angle of a lattice under frames" (angled alphabet)
   describe "Frames that contradict each other" (contradicting alphabet)
@@ -48,8 +48,8 @@ shaped alphabet = do
   describe "What frames differ by without noise" misfit
   describe "Two frames on a lattice" (pairs alphabet)
 
--- | The scene around (0, 0): symbols drawn by chance in the cells of a lattice, all turned
--- clockwise by so many degrees, as a function of the place in taxels.
+-- | The scene around (0, 0), as a function of the place in taxels: random symbols in the cells of a
+-- lattice, all turned clockwise by these degrees.
 scene :: Alphabet -> Int -> Double -> (Double, Double) -> Double
 scene alphabet seed angle place
   | u < symbolWidth && v < symbolHeight && embossedAt shape u v = 1
@@ -59,12 +59,12 @@ scene alphabet seed angle place
     (j, u) = floor x `divMod` columnPitch :: (Int, Int)
     (i, v) = floor y `divMod` rowPitch :: (Int, Int)
     classes = shapes alphabet
-    -- One class a cell, the cells in any order.
+    -- One class for each cell, the cells in any order.
     shape = classes !! (pick (97 * i + j) `mod` length classes)
     pick k = head (randomRs (0, 1000) (mkStdGen (7919 * seed + 31 * k)))
 
--- | What a frame of 16 x 16 taxels reads whose upper left taxel's centre lies there: each the mean
--- over 3 x 3 points, a little wider than a taxel.
+-- | The reading of a frame of 16 x 16 taxels whose upper left taxel's centre lies there: each the
+-- mean over 3 x 3 points, a little wider than a taxel.
 felt :: ((Double, Double) -> Double) -> (Double, Double) -> Raster
 felt relief (x0, y0) =
   generate 16 16 $ \i j ->
@@ -84,7 +84,7 @@ scanned relief errors =
           errors
   ]
 
--- | Normal errors of that standard deviation.
+-- | Normal errors of this standard deviation.
 errorsOf :: Double -> Int -> [(Double, Double)]
 errorsOf sigma seed = go (mkStdGen seed)
   where
@@ -93,7 +93,7 @@ errorsOf sigma seed = go (mkStdGen seed)
 templatesSpec :: Alphabet -> Spec
 templatesSpec alphabet = do
   withCases 2 20 $
-    prop "is held against any frame at any place as a drawn symbol is, either way up" $
+    prop "correlate with any frame at any place as a drawn symbol does, either way up" $
       forAll (elements [0, 0, -77, 30, 90]) $ \angle -> forAll (genRasterOf 16 16) $ \image ->
         let tables = templates alphabet angle 16 16
             count = symbolsClasses (templateSymbols tables)
@@ -112,10 +112,10 @@ templatesSpec alphabet = do
                     counterexample (show (told, drawn)) $
                       abs (told - drawn) < (if angle == 0 then 0.05 else 0.3)
   withCases 2 6 $
-    -- Along the frame's axes they are exact; turned, a taxel at the frame's edge counts for the
-    -- share of it that is on the frame, which is not quite the share of its square: at half a
-    -- taxel over the edge, along all of a symbol, 0.85.
-    prop "is by its sums and squares what a drawn symbol is, at any angle" $
+    -- Along the frame's axes they are exact. Turned, a taxel at the frame's edge counts for the
+    -- share of it that is on the frame, which is not quite the share of its square: at half a taxel
+    -- over the edge, along all of a symbol, 0.85.
+    prop "have the sums and squares of a drawn symbol, at any angle" $
       forAll (elements [-77, -30, 0, 12, 45, 90]) $ \angle ->
         let tables = templates alphabet angle 16 16
             count = symbolsClasses (templateSymbols tables)
@@ -142,7 +142,7 @@ templatesSpec alphabet = do
                         && abs (templateSquares tables V.! i - squares)
                           < (if angle == 0 then 0.1 else 0.9)
   withCases 2 10 $
-    prop "has in single cells the numbers that the tables have there" $
+    prop "have the tables' numbers in single cells" $
       forAll (elements [0, 37, -61]) $ \angle -> forAll (genRasterOf 16 16) $ \image ->
         forAll (choose (0, 2559)) $ \phase ->
           let tables = templates alphabet angle 16 16
@@ -157,7 +157,7 @@ templatesSpec alphabet = do
                       ofCells (templateSquares tables)
                     )
   withCases 2 10 $
-    prop "is as likely by the phases that are likely at whole taxels as by all" $
+    prop "give a frame the same likelihood by the likely phases at whole taxels as by all phases" $
       \seed -> forAll (choose (-90, 90)) $ \angle -> forAll (choose (0, 0.5)) $ \sigma ->
         let image = felt (scene alphabet seed angle) (3, 5)
             noisy =
@@ -192,7 +192,7 @@ templatesSpec alphabet = do
 registered :: Alphabet -> Spec
 registered alphabet = do
   withCases 2 20 $
-    prop "one of another scene, however clear all are, stays where it can be, and so do the rest" $
+    prop "stay within reach, also one of another scene, however clear all are" $
       \seed -> forAll (choose (0, 15)) $ \k ->
         let settings = standardRegistration {registrationSigma = Just 1.5, registrationNoise = 0}
             frames = scanned (scene alphabet seed 0) (errorsOf 1 seed)
@@ -205,7 +205,7 @@ registered alphabet = do
                  in counterexample (show shifts) $
                       all (\(dx, dy) -> max (abs dx) (abs dy) <= 2 * 4.5 * 1.5) shifts
   it
-    "are registered to it at any angle from errors of two taxels, most surely, and those well"
+    "are registered at any angle from errors of two taxels, mostly with certainty, and then well"
     $ do
       let told =
             [ assemble
@@ -227,7 +227,7 @@ registered alphabet = do
           sure = [off | (True, off) <- frames]
       length sure `shouldSatisfy` (>= (9 * length frames) `quot` 10)
       length (filter (> 1) sure) `shouldSatisfy` (<= length sure `quot` 50)
-  it "turned with their places by quarter turns have displacements so turned" $
+  it "turned with their places by quarter turns have displacements turned alike" $
     for_ (byEffort [2] [1 .. 3]) $ \seed -> do
       let errors = take 16 (errorsOf 2 (100 + seed))
           settings = standardRegistration {registrationSigma = Just 2}
@@ -260,11 +260,11 @@ registered alphabet = do
 
 angled :: Alphabet -> Spec
 angled alphabet =
-  it "is the lattice's to two degrees, up to a half turn, from -90 up to but not including 90" $
+  it "is the lattice's to two degrees, up to a half turn, and lies in [-90, 90)" $
     for_ (zip [1 ..] angles) $ \(seed, angle) -> do
       let images = map frameImage (scanned (scene alphabet seed angle) (errorsOf 1 seed))
           tables = paperTables
-          -- What symbols show of their angle is up to quarter turns.
+          -- Symbols show their angle up to quarter turns.
           hint = angle - 90 * fromIntegral (round (angle / 90) :: Int)
       case latticeAngle (fitsAt tables (map whole images)) (spectra 16 16) [hint] images of
         Nothing -> expectationFailure (show (seed, angle))
@@ -281,23 +281,23 @@ angled alphabet =
 
 contradicting :: Alphabet -> Spec
 contradicting alphabet = do
-  it "do not where their positions are right, to the robot's error" $
+  it "are not found if their positions are right, to the robot's error" $
     for_ (byEffort [1, 7] [1 .. 12]) $ \seed ->
       contradictionOf (scan seed) `shouldBe` Nothing
-  it "do where an axis is flipped or both are exchanged, and it says along which they agree" $
+  it "are found if an axis is flipped or both are exchanged, with the axes along which they agree" $
     for_
       (zip [1 ..] [(a, b) | (a, _) <- axesNamed, a /= "x,y", b <- byEffort [1] [1 .. 3 :: Int]])
       $ \(seed, (name, _)) -> for_ (lookup name axesNamed) $ \axes ->
-        -- Along which of the axes the positions so told are those that were.
+        -- The axes along which these positions are the original ones.
         contradictionOf [f {framePose = unalong axes (framePose f)} | f <- scan seed]
           `shouldBe` Just (AgreeingAlong axes)
-  it "do where they are those of other places, along no axes" $
+  it "are found, along no axes, if the images belong to other places" $
     for_ (byEffort [3] [1 .. 6]) $ \seed ->
       let frames = scan seed
           order = map snd (sortOn fst (zip (randomRs (0, 1 :: Double) (mkStdGen seed)) frames))
        in contradictionOf (zipWith (\f g -> f {frameImage = frameImage g}) frames order)
             `shouldSatisfy` maybe False isAnywhere
-  it "do not where they show nothing, or are one; and show the scale at which they overlap" $ do
+  it "are not found if blank or single; at a wrong scale, the right scale is named" $ do
     let blank = [f {frameImage = constant 16 16 0.4} | f <- scan 1]
         apart =
           [ f
@@ -321,7 +321,7 @@ contradicting alphabet = do
       either (error . show) compositeContradiction
         . (\frames -> stitch (withNoiseOf frames known) frames)
     known = standardRegistration {registrationSigma = Just 1}
-    -- The pose of which the axes make this one.
+    -- The pose which these axes map to the given one.
     unalong axes pose =
       head
         [ p
@@ -334,11 +334,11 @@ contradicting alphabet = do
 
 jointly :: Alphabet -> Spec
 jointly alphabet = do
-  it "are where they were to half a taxel, from errors of one and a half" $
+  it "are placed to half a taxel, from errors of one and a half" $
     for_ (byEffort [2] [1 .. 4]) $ \seed -> do
       let errors = take 16 (errorsOf 1.5 seed)
       away errors (scanned (scene alphabet seed 10) errors) `shouldSatisfy` (< 0.5)
-  it "are there to three quarters of one where one of them shows another place" $
+  it "are placed to three quarters of a taxel if one of them shows another place" $
     for_ (byEffort [2] [1 .. 4]) $ \seed -> do
       let errors = take 16 (errorsOf 1.5 seed)
           frames = scanned (scene alphabet seed 10) errors
@@ -346,7 +346,7 @@ jointly alphabet = do
           strayed =
             [if k == 5 then f {frameImage = stray} else f | (k, f) <- zip [0 :: Int ..] frames]
       away errors strayed `shouldSatisfy` (< 0.75)
-  prop "neighbours are the pairs whose squares meet, with the share that they have in common" $
+  prop "neighbours are the pairs whose rectangles overlap, with the share of the overlap" $
     forAll (vectorOf 7 ((,) <$> choose (0, 40) <*> choose (0, 40))) $ \places ->
       let images = [((x, y), constant 9 7 0) | (x, y) <- places]
           told = [(k, l, share) | Neighbours k l _ share <- neighbours images]
@@ -375,7 +375,7 @@ jointly alphabet = do
 
 pairs :: Alphabet -> Spec
 pairs alphabet =
-  it "may lie where they do, wherever the lattice lies under the first of them" $
+  it "may lie at their true places, wherever the lattice lies under the first of them" $
     for_ (byEffort everyFifth id (zip [0, 0.5 .. 19.5] (cycle [0, 0.5 .. 15.5]))) $ \(x, y) -> do
       let relief = scene alphabet 5 0
           told = likelihood (templates alphabet 0 16 16) . whole
@@ -392,7 +392,7 @@ pairs alphabet =
 
 misfit :: Spec
 misfit = do
-  it "is a twentieth of the relief's variance, and nothing where there is none" $ do
+  it "is a twentieth of the relief's variance, and nothing without relief" $ do
     let checked = generate 8 8 (\x y -> fromIntegral ((x + y) `mod` 2))
         told noise' frames =
           registrationNoise (withMisfit frames standardRegistration {registrationNoise = noise'})
@@ -418,7 +418,7 @@ noise = do
       let values = map fst (errorsOf sigma seed)
           images = [generate 16 16 (\i j -> values !! (256 * k + 16 * j + i)) | k <- [0 .. 11]]
       frameNoise images `shouldSatisfy` \s -> abs (s - sigma) < 0.1 * sigma
-  it "is none of a plane, of a blank, and of what has no square" $ do
+  it "is 0 for a plane, for a blank, and for frames too small to tell" $ do
     let plane = generate 16 16 (\i j -> 0.1 + 0.02 * fromIntegral i - 0.01 * fromIntegral j)
     for_ [[plane], [constant 16 16 0.3], [constant 1 9 0.3], []] $ \images ->
       frameNoise images `shouldSatisfy` (< 1e-9)

@@ -1,4 +1,4 @@
--- | What frames say of layouts other than the one that the robot tells: those that are left of all.
+-- | Tests the layouts other than the robot's that the frames leave possible.
 module Test.Touch.Registration.OtherLayouts (spec) where
 
 import Data.Foldable (for_)
@@ -29,8 +29,8 @@ spec = do
             groups = 1 + maximum tied
             all' = layouts likely tied places
             shareOf which = sum [layoutShare l | l <- all', which (layoutCause l)]
-            -- A share of all that is no slip, and of slips as far as there are lines, and half of
-            -- that for groups where there are several.
+            -- One share of all that is no slip; one of slips if there are lines, and half of one
+            -- for groups if there are several.
             slips = (if columns + rows > 2 then 1 else 0) + (if groups > 1 then 0.5 else 0)
             alike a b = abs (a - b) < 1e-9 :: Bool
             extent part ps = maximum (map part ps) - minimum (map part ps)
@@ -41,10 +41,10 @@ spec = do
               === 7
               .&&. length (filter ((== Slip) . layoutCause) all')
               === 4 * (columns + rows - 2 + if groups > 1 then groups else 0)
-              -- As much further from each other, across and down, as is told.
+              -- Further from each other, across and down, by the stated factors.
               .&&. [(extent fst ps, extent snd ps) | (_, ps) <- scales]
               === [(x * extent fst places, y * extent snd places) | ((x, y), _) <- scales]
-  prop "slips are beyond the lines between the rows that are furthest apart, eight at most" $
+  prop "slips are at the lines between the rows that are furthest apart, eight at most" $
     forAll (choose (0, 14) >>= \count -> take count <$> shuffle [3 .. 20]) $ \gaps ->
       forAll arbitrary $ \upright ->
         let places = [if upright then (0, t) else (t, 0) | t <- scanl (+) 0 gaps]
@@ -56,10 +56,10 @@ spec = do
                   layoutCause l == Slip
               ]
          in sort (nub (concat told)) === drop (length gaps - 8) (sort gaps)
-  it "slips move what is beyond a line by a cell either way" $
+  it "a slip moves all beyond a line by a cell in any direction" $
     nub [layoutSteps l | l <- layouts [] [0, 0] [(0, 0), (16, 0)], layoutCause l == Slip]
       `shouldBe` [[(0, 0), step] | step <- [(0, 1), (0, -1), (1, 0), (-1, 0)]]
-  it "a slip of all frames alike moves the cells and makes nothing less likely" $ do
+  it "a slip of all frames together moves the cells and has the same likelihood" $ do
     let found = jointOf [(x, y) | y <- [20, 30, 40], x <- [20, 30, 40]]
     for_ [(0, 1), (-1, 0)] $ \(i, j) -> do
       let (likelier, lattice) = slipped found (replicate 9 (i, j))
@@ -68,16 +68,16 @@ spec = do
         `shouldBe` [ ((i' + i, j' + j), logs)
                      | ((i', j'), logs) <- Map.toList (latticeCells (jointLattice found))
                    ]
-  it "are of one group frames with symbols in common; those that show nothing are of none" $ do
+  it "frames with symbols in common are one group; blank frames are in no group" $ do
     tiedGroups (jointOf [(x, 20) | x <- [20, 24, 28, 84, 86, 88]]) `shouldBe` [0, 0, 0, 1, 1, 1]
     tiedGroups (jointFrom [((x, 0), constant 16 16 0.5) | x <- [0, 8, 16]])
       `shouldBe` [-1, -1, -1]
-  it "are refuted by overlaps that show relief, but for some slips, whatever gain and offset" $ do
+  it "except some slips are refuted by overlaps with relief, whatever the gain and offset" $ do
     let places = [(x, y) | y <- [20, 28 .. 52], x <- [20, 28 .. 44]]
         faults (gain, offset) = map alternativeCause (left gain offset places)
     nub (faults (1, 0)) `shouldSatisfy` all (== Slip)
     for_ [(0.1, 0.45), (0.02, 0.3)] $ \read' -> faults read' `shouldBe` faults (1, 0)
-  it "stay, where frames side by side do not overlap and lie on the same lattice" $ do
+  it "remain if frames side by side do not overlap and lie on the same lattice" $ do
     -- Beginning with a cell, whole cells in every frame across, half of its overlap down.
     let places = [(x, y) | y <- [20, 30 .. 60], x <- [16, 32, 48]]
         faultsFrom origin = map alternativeCause (leftFrom origin places)
@@ -85,12 +85,12 @@ spec = do
     [axesName a | OtherAxes a <- faults] `shouldBe` ["-x,y"]
     [() | Slip <- faults] `shouldNotBe` []
     [() | OtherScale _ _ <- faults] `shouldNotBe` []
-    -- Wherever the robot counts from.
+    -- Wherever the robot has its origin.
     for_ [(65536, 0), (-4096, 65536)] $ \origin -> faultsFrom origin `shouldBe` faults
-  it "are other axes no more where a seam cuts symbols, though nothing overlaps" $ do
+  it "have no other axes if a seam cuts symbols, though nothing overlaps" $ do
     let faults = map alternativeCause (left 1 0 [(x, y) | y <- [20, 36, 52], x <- [24, 40, 56]])
     [axesName a | OtherAxes a <- faults] `shouldBe` []
-  it "are none of a single frame, nor where frames are not registered" $ do
+  it "do not exist for a single frame, nor if frames are not registered" $ do
     map alternativeCause (left 1 0 [(20, 20)]) `shouldBe` []
     map alternativeCause (othersOf Nominal (0, 0) 1 0 [(16, 20), (32, 20), (48, 20)]) `shouldBe` []
   where

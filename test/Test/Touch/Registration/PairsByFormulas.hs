@@ -1,6 +1,7 @@
 {-# OPTIONS_GHC -O1 #-}
 
--- | Where one frame lies in another, blindly and by correlation, held to the formulas.
+-- | Tests the posterior of one frame's place in another, blind and by correlation, against the
+-- formulas.
 module Test.Touch.Registration.PairsByFormulas (spec) where
 
 import qualified Data.Vector.Storable as V
@@ -27,7 +28,7 @@ tables = spectra 9 8
 
 processSpec :: Spec
 processSpec =
-  it "frames are as likely as the likeliest of all processes makes them, and as white noise does" $
+  it "a frame's likelihood is that of the likeliest process, or of white noise, by the formulas" $
     forAllBlind (genFrames 9 8) $ \((a, b), _) ->
       let coefficients = map (coefficientsOf tables) [a, b]
           process = processOf tables 0 coefficients
@@ -43,30 +44,30 @@ processSpec =
 
 pairSpec :: Spec
 pairSpec = do
-  it "blind, a frame lies as probably at each place as all heights and the prior say" $
+  it "blind, the posterior of a place follows from all heights and the prior" $
     forAllBlind (genAsked [0, 0.25, 1]) $ \((a, b), step, search) ->
       let relief = Overlap.reliefOf tables 0 [a, b]
        in known (blindPosterior relief step search) (blindly step search a b)
-  it "a layout in which two frames overlap is as likely as their displacements make it" $
+  it "a layout in which two frames overlap has the likelihood of their displacements" $
     forAllBlind (genAsked [0, 0.25]) $ \((a, b), (x, y), search) ->
       forAll (elements [0.5, 1, 2]) $ \sigma ->
         let step = (if abs x < 2 then 3 else x, y) :: (Double, Double)
             settings = standardRegistration {registrationSigma = Just sigma}
             relief = Overlap.reliefOf tables 0 [a, b]
-            -- Of a pair that shares less of a frame nothing is asked.
+            -- A pair that shares a smaller part of a frame is left out.
             shared = (9 - abs (fst step)) * (8 - abs (snd step)) / 72 :: Double
          in search >= (0 :: Double) && shared >= 0.2
               ==> near
                 [pairsEvidence settings relief [((0, 0), a), (step, b)]]
                 [pairEvidence (sqrt 2 * sigma) step a b]
-  it "by correlation, a frame lies as probably at each place as rho and the prior say" $
+  it "by correlation, the posterior of a place follows from rho and the prior" $
     forAllBlind (genAsked [0, 1]) $ \((a, b), step, search) ->
       known (correlationPosterior step search a b) (byCorrelation step search a b)
   where
     genAsked off = do
       (frames, (dx, dy)) <- genFrames 9 8
       search <- elements [0, 1, 2, 3]
-      -- Where nothing is searched the step is whole.
+      -- Without a search the step is whole.
       let near0 = if search > 0 then off else [0]
       (ex, ey) <- (,) <$> elements near0 <*> elements (map negate near0)
       pure (frames, (fromIntegral dx + ex, fromIntegral dy + ey), search)

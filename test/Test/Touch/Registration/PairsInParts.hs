@@ -1,4 +1,4 @@
--- | What the registration of pairs is made of, and frames turned back, each part against its
+-- | Tests the parts of the registration of pairs, and frames turned back, each against its
 -- definition on lists.
 module Test.Touch.Registration.PairsInParts (spec) where
 
@@ -28,7 +28,7 @@ spec = withCases 12 100 $ do
   straightSpec
   turnSpec
 
--- | What two images show at the same places, row by row, where the second's upper left pixel lies
+-- | The values of two images at the same places, row by row, if the second's upper left pixel lies
 -- there in the first.
 both :: Raster -> Raster -> (Int, Int) -> [(Double, Double)]
 both a b (dx, dy) =
@@ -51,7 +51,7 @@ overlapSpec = do
          in counterexample (show found) $
               right alongX (reached (fst step)) && right alongY (reached (snd step))
                 && found == [(x, y) | y <- alongY, x <- alongX]
-  it "an overlap is what both images show at the same places" $
+  it "an overlap has the values of both images at the same places" $
     forAll ((,) <$> genRasterWithin (2, 7) <*> genRasterWithin (2, 7)) $ \(a, b) ->
       forAll ((,) <$> choose (-8, 8) <*> choose (-8, 8)) $ \(dx, dy) ->
         let pairs = both a b (dx, dy)
@@ -59,7 +59,7 @@ overlapSpec = do
               Nothing -> pairs === []
               Just ((w, h), pa, pb) ->
                 (w * h, zip (V.toList pa) (V.toList pb)) === (length pairs, pairs)
-  it "images agree where what they share is the same but for gain and offset, and not too little" $
+  it "images agree if their overlap is equal but for gain and offset, and varies enough" $
     forAll (genRasterOf 9 8) $ \scene ->
       forAll (elements [1, 0.3, -1]) $ \gain ->
         forAll ((,) <$> choose (0, 4) <*> choose (0, 3)) $ \(dx, dy) ->
@@ -98,7 +98,7 @@ overlapSpec = do
                    (True, True)
                  ]
   where
-    -- Correlation as good as 1, of what varies by a hundredth of the images or more.
+    -- A correlation close to 1, of relief that varies by at least a hundredth of the images.
     correlated a b d =
       let pairs = both a b d
           n = fromIntegral (length pairs)
@@ -112,11 +112,11 @@ overlapSpec = do
 
 blindSpec :: Spec
 blindSpec =
-  it "blind: relief alike along an axis draws less than the prior's deviation, in the median" $
+  it "blind, relief constant along an axis shifts the median less than the prior's deviation" $
     sort (map offStep [1 .. 21]) !! 10 `shouldSatisfy` ((< 1.5) . abs)
   where
-    -- How far along the axis, in the mean, from the step the posterior lies; of frames with rows
-    -- that are drawn by chance and noise of a hundredth.
+    -- The mean distance of the posterior from the step, along the axis, for frames with random rows
+    -- and noise of a hundredth.
     offStep seed =
       let (a, b) = (seen (100 * seed + 1), seen (100 * seed + 2))
           known = spectra 16 16
@@ -135,7 +135,7 @@ blindSpec =
 
 straightSpec :: Spec
 straightSpec = do
-  it "a direction is told where slopes vary across it beyond noise, and along it do not" $
+  it "a direction is found if slopes exceed the noise across it, and not along it" $
     forAll (genRasterOf 8 9) $ \rough ->
       forAll ((,) <$> genRasterOf 8 9 <*> choose (0, pi)) $ \(other, angle) ->
         forAll (elements [0, 0.02, 0.1, 0.3, 1]) $ \noise ->
@@ -156,7 +156,7 @@ straightSpec = do
                 let values = V.toList (rasterValues image)
                  in max (frameNoise [image]) (0.001 * (maximum values - minimum values))
               limit = 4.5 * slopeNoise * noiseOf a * noiseOf b * sqrt (42 * alikeness)
-              -- What lies this near a limit may be told either way.
+              -- Values this near to a limit may fall on either side.
               near t = abs t < 1e-3 * (most - least)
            in classify (noise >= 0.3) "noisy" $
                 case straightness (0, 0) a b of
@@ -169,7 +169,7 @@ straightSpec = do
                         && (least < limit || near (least - limit))
                         && (most >= 4 * limit || near (most - 4 * limit))
                         && near (xx * i * i + 2 * xy * i * j + yy * j * j - least)
-  it "in what overlaps alone: the same images as if cut to it" $
+  it "only the overlap counts: the result is that of the images cut to it" $
     forAll ((,) <$> choose (-3, 3) <*> choose (-3, 3)) $ \(dx, dy) ->
       let edge x = if x < (5 :: Int) then 0 else 1
           a = generate 9 9 (\x _ -> edge x)
@@ -177,7 +177,7 @@ straightSpec = do
        in fmap (\(i, j) -> abs i < 1e-9 && abs (abs j - 1) < 1e-9) (straightness (dx, dy) a b)
             === Just True
   where
-    -- Sums over the inner pixels of the products of both images' slopes, by Sobel's weights, a
+    -- Sums over the inner pixels of the products of both images' slopes, by Sobel's weights, an
     -- eighth each.
     products a b =
       let inner = [(x, y) | y <- [1 .. rasterHeight a - 2], x <- [1 .. rasterWidth a - 2]]
@@ -208,14 +208,15 @@ straightSpec = do
 
 turnSpec :: Spec
 turnSpec =
-  it "a turned frame is the largest upright part of its proportions, between its pixels" $
+  it "a turned frame is the largest upright part of its proportions, by interpolation" $
     forAll ((,) <$> choose (3, 12) <*> choose (3, 12)) $ \(w, h) ->
       forAll (genRasterOf w h) $ \image ->
         forAll (oneof [choose (-180, 180), elements [0, 45, 90, -90, 180, 30]]) $ \degrees ->
           let turn = degrees * pi / 180
               (c, s) = (cos turn, sin turn)
               (wide, high) = (fromIntegral (w - 1), fromIntegral (h - 1)) :: (Double, Double)
-              -- Where what lies so far right and down of the centre, upright, is on the frame.
+              -- Whether the place that is so far right and down of the centre, upright, is on the
+              -- frame.
               onFrame (x, y) = (c * x + s * y, c * y - s * x)
               holds part =
                 and
@@ -224,7 +225,7 @@ turnSpec =
                       let (u, v) = onFrame (part * i * wide / 2, part * j * high / 2)
                   ]
               share = last (filter holds (map (/ 2000) [0 .. 2000]))
-              -- Whole pixels that the part has, for sure and at most.
+              -- The least and the greatest number of whole pixels that the part has.
               pixels sides extra = 1 + floor (sides * (share + extra) + 1e-6) :: Int
               sizes = [(pixels wide e, pixels high e) | e <- [0, 1 / 2000]]
               close v t = abs (v - t) < 1e-9

@@ -1,4 +1,5 @@
--- | Registration of pairs: every refusal by construction, and what must change nothing.
+-- | Tests the registration of pairs: every refusal by construction, and changes that must not
+-- matter.
 module Test.Touch.Registration.PairsRefused (spec) where
 
 import Data.Either (isLeft)
@@ -21,10 +22,10 @@ import Test.Touch.Paper (paperAlphabet)
 
 spec :: Spec
 spec = do
-  it "blank: frames that show nothing" $ refusalOf (const (const 0.3)) `shouldBe` Just Blank
-  it "blank: frames that show noise alone" $
+  it "frames without relief are blank" $ refusalOf (const (const 0.3)) `shouldBe` Just Blank
+  it "frames with noise only are blank" $
     fmap (matchRefusal . found) (Just (noisy 1 (const (const 0)))) `shouldBe` Just (Just Blank)
-  it "one axis: a straight edge upright fixes x and not y, and one level y and not x" $ do
+  it "a straight edge is refused as one axis: upright it fixes x and not y, level y and not x" $ do
     let upright = found (clean (\x _ -> if x < 12 then 0 else 1))
         level = found (clean (\_ y -> if y < 7 then 0 else 1))
     (matchRefusal upright, matchFixed upright) `shouldBe` (Just OneAxis, (True, False))
@@ -32,17 +33,17 @@ spec = do
   withCases 7 60 straight
   withCases 2 20 turnedAbout
   withCases 2 10 byLattice
-  it "ambiguous: a pattern that repeats within the search fixes neither axis" $
+  it "a pattern that repeats within the search is ambiguous, and fixes neither axis" $
     refusalOf (\x y -> if even (x `div` 2 + y `div` 2) then 0 else 1) `shouldBe` Just Ambiguous
-  it "no overlap: frames further apart than they are wide" $
+  it "frames further apart than they are wide have no overlap" $
     fmap matchRefusal (ask (standardPairing (40, 0)) (clean symbols))
       `shouldBe` Right (Just NoOverlap)
-  it "symbols are registered to where they are, by each method" $
+  it "symbols are registered to their places by each method" $
     [ near (found' method (clean symbols))
       | method <- [Correlation, Blind, Lattice, Auto]
     ]
       `shouldBe` replicate 4 True
-  it "what is affine in the grey values of either frame changes nothing" $
+  it "an affine change of either frame's grey values changes nothing" $
     sequence_
       [ close
           (found' method (a, b))
@@ -51,7 +52,7 @@ spec = do
         | method <- [Correlation, Blind, Lattice],
           let (a, b) = noisy 0.1 symbols
       ]
-  it "frames of unequal size, values that are no numbers, senseless and far steps are refused" $ do
+  it "frames of unequal size, NaN, senseless settings and far steps are refused" $ do
     let (a, b) = clean symbols
     isLeft (withTables (\t -> registerPair t (standardPairing (8, 0)) a (constant 8 8 0)))
       `shouldBe` True
@@ -78,22 +79,22 @@ spec = do
 
 straight :: Spec
 straight = do
-  prop "one axis: a straight edge with noise up to a tenth of it, wherever both frames show it" $
+  prop "a straight edge with noise up to a tenth of it is refused as one axis, wherever seen" $
     \seed -> forAll ((,) <$> choose (11, 13) <*> choose (0, 0.1)) $ \(edge, sd) ->
       let match = found' Blind (noisyBy seed sd (\x _ -> if x < edge then 0 else 1))
        in (matchRefusal match, matchFixed match) === (Just OneAxis, (True, False))
-  prop "a straight edge askew, with noise, is refused: it may lie anywhere along itself" $
+  prop "an oblique straight edge with noise is refused: it may lie anywhere along itself" $
     \seed -> forAll (choose (20, 70)) $ \degrees ->
       let (c, s) = (cos (degrees * pi / 180), sin (degrees * pi / 180)) :: (Double, Double)
           edge x y = 1 / (1 + exp (-2 * (c * (fromIntegral x - 12) + s * (fromIntegral y - 7))))
        in matchRefusal (found' Blind (noisyBy seed 0.03 edge)) =/= Nothing
 
--- | Blind and by correlation no axis is another than the other, nor one sense of it: frames that
--- are turned about their diagonal or by half, or exchanged, lie as they did, so turned, as
--- probably.
+-- | Blind and by correlation the axes and their directions are equivalent. Frames that are turned
+-- about their diagonal or by half, or exchanged, have the same answer, turned alike, with the same
+-- probability.
 turnedAbout :: Spec
 turnedAbout =
-  prop "frames turned about, by half, or exchanged have the answer so turned, with any step" $
+  prop "frames transposed, half-turned or exchanged have the answer so changed, with any step" $
     \seed -> forAll ((,) <$> elements [Correlation, Blind] <*> elements steps) $ \(method, step) ->
       let frames = roughened seed 0.2 (movedPair step seed)
           told step' = fmap summed . ask (standardPairing step') {pairingMethod = method}
@@ -124,7 +125,7 @@ turnedAbout =
     diagonal image = generate 16 16 (\x y -> fromMaybe 0 (index image y x))
     half image = generate 16 16 (\x y -> fromMaybe 0 (index image (15 - x) (15 - y)))
 
--- | Two frames of round bumps, of which the second lies that far right and down of the first.
+-- | Two frames of round bumps, the second this far right and down of the first.
 movedPair :: (Double, Double) -> Int -> (Raster, Raster)
 movedPair (dx, dy) seed = (frame 0 0, frame dx dy)
   where
@@ -146,11 +147,12 @@ bumpsOf seed x y = sum [exp (negate ((x - p) * (x - p) + (y - r) * (y - r)) / 6)
 clean :: (Int -> Int -> Double) -> (Raster, Raster)
 clean relief = (generate 16 16 relief, generate 16 16 (\x y -> relief (x + 9) (y - 1)))
 
--- | The same with noise of that standard deviation.
+-- | Frames of a relief with noise of this standard deviation, the second 9 right and 1 up of the
+-- first.
 noisy :: Double -> (Int -> Int -> Double) -> (Raster, Raster)
 noisy = noisyBy 5
 
--- | By the lattice, what both frames tell of symbols that lie upright.
+-- | Tests registration by the lattice, from the likelihoods of both frames for upright symbols.
 byLattice :: Spec
 byLattice =
   prop "by the lattice the hypotheses are those of the phases of upright symbols" $
@@ -167,7 +169,7 @@ byLattice =
 noisyBy :: Int -> Double -> (Int -> Int -> Double) -> (Raster, Raster)
 noisyBy seed sd relief = roughened seed sd (clean relief)
 
--- | Frames with noise of that standard deviation.
+-- | Frames with noise of this standard deviation.
 roughened :: Int -> Double -> (Raster, Raster) -> (Raster, Raster)
 roughened seed sd (a, b) = (with 0 a, with 256 b)
   where
@@ -175,7 +177,7 @@ roughened seed sd (a, b) = (with 0 a, with 256 b)
     with from image =
       generate 16 16 (\x y -> fromMaybe 0 (index image x y) + sd * drawn V.! (from + y * 16 + x))
 
--- | Symbols in the middle of cells of 16 x 20 taxels, a class a cell.
+-- | Symbols in the middle of cells of 16 x 20 taxels, a class for each cell.
 symbols :: Int -> Int -> Double
 symbols x y = case paperAlphabet of
   Right known -> embossed known

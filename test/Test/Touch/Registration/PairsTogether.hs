@@ -1,5 +1,5 @@
--- | Frames put together by all their pairs: the field of their displacements against its formulas
--- on lists, laws of it, and scenes of known truth whose error nobody told.
+-- | Tests frames registered by all their pairs: the field of their displacements against its
+-- formulas on lists, its laws, and scenes of known truth with an unknown error.
 module Test.Touch.Registration.PairsTogether (spec) where
 
 import Data.List (foldl', genericLength, sortOn)
@@ -24,7 +24,7 @@ spec :: Spec
 spec = do
   withCases 3 30 fieldSpec
   withCases 2 20 truthSpec
-  it "each frame chooses eight pairs at most: of nine at one place all, of more not" $ do
+  it "each frame chooses at most eight pairs: of nine frames at one place all, of more not" $ do
     let compared count = comparedPixels told (replicate count ((0, 0), constant 16 16 0.5))
         pairs count = compared count `div` compared 2
         all' count = count * (count - 1) `div` 2
@@ -33,8 +33,8 @@ spec = do
     map pairs [2 .. 9] `shouldBe` map all' [2 .. 9]
     map few [10 .. 14] `shouldBe` replicate 5 True
 
--- | An error of half a taxel, told: from a quarter to one; a frame lies three taxels off at most,
--- and a pair three.
+-- | A known error of half a taxel, taken as a quarter to one. A frame is at most three taxels off,
+-- and so is a pair.
 told :: Registration
 told = standardRegistration {registrationSigma = Just 0.5}
 
@@ -59,8 +59,8 @@ pairOfLogs ((k, l), logs) =
   where
     most = maximum logs
 
--- | The formulas: the fields of so many frames, that lie on grid points, after ten sweeps or when
--- none changes its likeliest displacement.
+-- | The formulas: the fields of this many frames on grid points, after ten sweeps or when none
+-- changes its likeliest displacement.
 fieldByFormulas :: Int -> [Said] -> [Map.Map (Int, Int) Double]
 fieldByFormulas count said = Map.elems (go (10 :: Int) Map.empty)
   where
@@ -71,14 +71,14 @@ fieldByFormulas count said = Map.elems (go (10 :: Int) Map.empty)
         new = foldl' (\at k -> Map.insert k (fieldOf at k) at) now order
     top = fst . foldl' (\a b -> if snd b > snd a then b else a) ((0, 0), -1) . rowByRow
     rowByRow q = sortOn (\((x, y), _) -> (y, x)) (Map.toList q)
-    -- The first of those that hang together lies where the robot has it.
+    -- The first of a connected group is at the robot's position.
     fieldOf at k
       | not (null (partners k)),
         not (any (`elem` takeWhile (/= k) order) (partners k)) =
         Map.fromList [(d, if d == (0, 0) then 1 else 0) | d <- square]
       | otherwise = priors
       where
-        -- A pair that tells nothing is as likely as one that does.
+        -- A pair without information is as likely as one with it.
         heard =
           [ \d -> log (1 + sum [q * exp (logs (apart d d')) | (d', q) <- seen])
             | ((i, j), table) <- said,
@@ -96,7 +96,7 @@ fieldByFormulas count said = Map.elems (go (10 :: Int) Map.empty)
         (mx, my) = (middle (real . fst), middle (real . snd))
         squares = sum (map (expected squared) others) - m * (mx * mx + my * my)
         squared (x, y) = real x * real x + real y * real y
-        -- Of one standard deviation out of 13, those of a frame and of the mean of m others.
+        -- For one standard deviation out of 13, those of a frame and of the mean of m others.
         variances = [s * s + 1 / 12 | i <- [0 .. 12 :: Int], let s = 0.25 * 2 ** (real i / 6)]
         shares v = exp (negate (max 0 squares) / (2 * v) - max 0 (m - 1) * log v)
         robot (x, y) =
@@ -125,7 +125,7 @@ fieldByFormulas count said = Map.elems (go (10 :: Int) Map.empty)
 
 fieldSpec :: Spec
 fieldSpec = do
-  it "displacements are as probable as what pairs and the robot say together" $
+  it "displacements have the probability that pairs and the robot give together" $
     forAll (choose (2, 4)) $ \count -> forAllBlind (genSaid count) $ \said ->
       let found = fieldsOf count said
           wanted = fieldByFormulas count said
@@ -133,14 +133,14 @@ fieldSpec = do
           apart' f w = maximum (map abs (zipWith (-) (V.toList f) (masses w)))
           off = zipWith apart' found wanted
        in counterexample (show off) (length found == count && maximum off < 1e-3)
-  it "mirrored, or with the axes exchanged, they lie where that has them" $
+  it "mirroring the pairs, or exchanging the axes, changes the displacements alike" $
     forAll (choose (2, 4)) $ \count -> forAllBlind (genTrue count) $ \(_, said) ->
       conjoin
         [ map (turn . top) (fieldsOf count said)
             === map top (fieldsOf count (map (turned turn) said))
           | turn <- [\(x, y) -> (x, negate y), \(x, y) -> (y, x)]
         ]
-  it "where all pairs say one thing, frames lie so; and beside them one that is wrong is nothing" $
+  it "frames lie where all pairs agree, and one wrong pair among them changes nothing" $
     forAllBlind (genTrue 4) $ \(truth, said) -> forAll (elements said) $ \(which, _) ->
       forAll (elements square) $ \off ->
         let stray = (which, spike 8 off)
@@ -149,7 +149,7 @@ fieldSpec = do
             relative ds = [d `minus` head ds | d <- ds]
          in relative (steps said) === relative (map both truth)
               .&&. relative (steps (stray : others)) === relative (map both truth)
-  it "without pairs they are where the robot has them" $
+  it "frames without pairs are at the robot's positions" $
     map top (fieldsOf 3 []) `shouldBe` replicate 3 (0, 0)
   where
     top = likeliest grid (0, 0)
@@ -184,7 +184,7 @@ fieldSpec = do
 
 truthSpec :: Spec
 truthSpec =
-  it "of white relief and errors that nobody told, which are up to three taxels, all is found" $
+  it "frames of white relief are placed despite unknown errors of up to three taxels" $
     forAll (genRasterOf 50 50) $ \relief ->
       forAll (vectorOf 9 ((,) <$> choose (-3, 3) <*> choose (-3, 3))) $ \errors ->
         let places = [(10 + 8 * i, 10 + 8 * j) | j <- [0 .. 2], i <- [0 .. 2 :: Int]]
@@ -199,6 +199,6 @@ truthSpec =
             off (x, y) = max (abs x) (abs y)
             errors' = zipWith minus (less (map estimateShift found)) (less truth)
             furthest = maximum (map off errors')
-         in -- The robot draws a little.
+         in -- The robot's prior shifts them a little.
             counterexample (show furthest) (furthest <= 0.125)
               .&&. counterexample (show sigma) (maybe False (\s -> s >= 0.5 && s <= 4) sigma)

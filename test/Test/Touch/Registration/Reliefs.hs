@@ -7,7 +7,7 @@ import Test.QuickCheck hiding (generate, sample)
 import Test.Touch.Image.RastersAndCorrelation (genRasterOf)
 import Test.Touch.Sensor.MeanHeights (embossing)
 
--- | Two frames cut out of relief of some kind, the second that far right and down of the first.
+-- | Two frames cut out of relief of some kind, the second this far right and down of the first.
 genFrames :: Int -> Int -> Gen ((Raster, Raster), (Int, Int))
 genFrames w h = do
   dx <- choose (-3, 7)

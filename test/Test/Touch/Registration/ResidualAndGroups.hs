@@ -1,5 +1,5 @@
--- | What is told of frames once they are placed, each part against its definition: how much they
--- differ, which of them hang together, and what all pairs together say.
+-- | Tests the results on placed frames, each against its definition: how much they differ, which of
+-- them are connected, and the posterior of all pairs together.
 module Test.Touch.Registration.ResidualAndGroups (spec) where
 
 import Data.List (elemIndex, genericLength, nub)
@@ -24,7 +24,7 @@ spec = withCases 12 100 $ do
 
 residualSpec :: Spec
 residualSpec =
-  it "the residual is the deviation of a frame from the mean of all that saw a pixel" $
+  it "the residual is the deviation of a frame from the mean of all that cover a pixel" $
     forAll (choose (1, 5) >>= (`vectorOf` genPlaced)) $ \placed ->
       let pixels =
             [ ((x + u, y + v), value)
@@ -33,14 +33,14 @@ residualSpec =
                 v <- [0 .. rasterHeight image - 1],
                 Just value <- [index image u v]
             ]
-          -- What all frames saw at each pixel that more than one saw.
+          -- The values of all frames at each pixel that more than one covers.
           seen =
             [ vs
               | p <- nub (map fst pixels),
                 vs@(_ : _ : _) <- [[v | (p', v) <- pixels, p' == p]]
             ]
-          -- The sum of the squares from the mean, over one less than there are, is the variance; it
-          -- counts for as many pixels as there are frames.
+          -- The sum of the squares from the mean over one less than their number is the variance.
+          -- It is weighted by the number of frames.
           squares = sum (map apart seen)
           apart vs =
             let n = genericLength vs
@@ -56,7 +56,7 @@ residualSpec =
 
 groupSpec :: Spec
 groupSpec = do
-  it "groups are what overlaps, directly or through others, numbered as they come" $
+  it "groups are connected by overlaps, directly or through others, and numbered in order" $
     forAll (choose (0, 12) >>= (`vectorOf` genPlaced)) $ \placed ->
       let numbered = zip [0 :: Int ..] placed
           meets ((x, y), a) ((x', y'), b) =
@@ -68,7 +68,7 @@ groupSpec = do
           closed ks = let more = beside ks in if length more == length ks then ks else closed more
           firsts = [minimum (closed [k]) | (k, _) <- numbered]
        in groupsOf placed === [fromMaybe (-1) (elemIndex f (nub firsts)) | f <- firsts]
-  it "frames that meet in an edge or a corner are apart; a hair nearer they are together" $
+  it "frames that only touch at an edge or a corner are apart; slightly nearer they are together" $
     [ groupsOf [((0, 0), image), ((x, y), image)]
       | image <- [constant 16 16 0],
         (x, y) <-
@@ -82,10 +82,10 @@ groupSpec = do
 
 othersSpec :: Spec
 othersSpec =
-  it "where relief repeats along one axis, other places along it are told, two taxels off or more" $
+  it "relief that repeats along one axis gives other places along it, at least two taxels off" $
     forAll (genRasterOf 40 4) $ \stripes -> forAll (elements [False, True]) $ \upright ->
       let settings = standardRegistration {registrationSigma = Just 2, registrationNoise = 0.05}
-          -- Any relief along one axis, and every four taxels the same along the other.
+          -- Any relief along one axis, repeated every four taxels along the other.
           relief along across = fromMaybe 0 (index stripes along (across `mod` 4))
           seen x y = if upright then relief (x + 4) y else relief (y + 4) x
           frame (dx, dy) = generate 16 16 (\x y -> seen (x + dx) (y + dy))

@@ -1,4 +1,4 @@
--- | Stitching, on scenes whose truth is known.
+-- | Tests stitching on scenes whose truth is known.
 module Test.Touch.Registration.ScenesOfKnownTruth (spec) where
 
 import Control.Monad (forM_)
@@ -28,13 +28,13 @@ spec = do
   describe "A single frame" single
   describe "Known truth" . beforeAll (pure texturedScenes) $ truth
   describe "Symmetries" . beforeAll (pure symbolScenes) $ seenOtherwise
-  describe "What cannot be seen" unseen
+  describe "Without relief or overlap" unseen
   describe "Noise and position errors" noisy
   describe "Refusals" refusals
   describe "Real frames" real
 
--- | A scene: the frames of a region, the errors of their places in taxels, and what stitching makes
--- of them, once for all statements.
+-- | A scene: the frames of a region, the errors of their places in taxels, and the result of
+-- stitching them, computed once for all statements.
 data Scene = Scene
   { sceneRelief :: HeightMap,
     sceneErrors :: [Taxels],
@@ -46,14 +46,14 @@ data Scene = Scene
 seeds :: [Int]
 seeds = [1 .. byEffort 1 10]
 
--- | The width and height of the region that the frames of reliefs lie in, taxels.
+-- | The width and height in taxels of the region with the frames of reliefs.
 sceneSize :: (Int, Int)
 sceneSize = byEffort (24, 32) (32, 40)
 
 scenePoses :: [Pose]
 scenePoses = uncurry region sceneSize
 
--- | Scenes of an exact sensor on reliefs that tell everywhere: with errors of whole taxels, with
+-- | Scenes of an exact sensor on reliefs with detail everywhere: with errors of whole taxels, with
 -- errors of fractions, and without any.
 data Textured = Textured {wholly :: [Scene], partly :: [Scene], exactly :: [Scene]}
 
@@ -72,7 +72,7 @@ texturedScenes =
   where
     whole (x, y) = (fromIntegral (round x :: Int), fromIntegral (round y :: Int))
 
--- | The width and height of a relief in whose middle the region lies, taxels.
+-- | The width and height in taxels of a relief whose middle contains the region.
 aroundScene :: (Int, Int)
 aroundScene = let (w, h) = sceneSize in (w + 20, h + 20)
 
@@ -84,8 +84,8 @@ texturedScene relief errors =
     placed = zip scenePoses errors
     frames = pressed idealSensor relief placed
 
--- | Errors without end, drawn and then changed, of up to two standard deviations, so that any two
--- frames are within the search's reach of each other.
+-- | Endless random errors, then changed, of up to two standard deviations, so that any two frames
+-- are within the search's reach of each other.
 errorsOf :: (Taxels -> Taxels) -> Int -> [Taxels]
 errorsOf changed = filter near . map changed . unfoldr (Just . drawn) . mkStdGen
   where
@@ -123,7 +123,7 @@ pressed sensor relief placed =
     | (seed, (pose, (ex, ey))) <- zip [1 ..] placed
   ]
 
--- | The poses of a region of that width and height, taxels, from 10 taxels right and down of the
+-- | The poses of a region of this width and height, taxels, from 10 taxels right and down of the
 -- face's corner.
 region :: Int -> Int -> [Pose]
 region w h = either (const []) id (planScan 8 (10 * taxelPitch, 10 * taxelPitch) (w, h))
@@ -144,7 +144,7 @@ residual ps qs =
 
 single :: Spec
 single =
-  it "is returned as it is, touched once everywhere, where it was pressed" $
+  it "is returned unchanged, touched once everywhere, where it was pressed" $
     forAll
       ((,,) <$> genRasterOf 16 16 <*> choose (-99, 99) <*> choose (-99, 99))
       $ \(image, x, y) ->
@@ -208,13 +208,13 @@ truth = do
       c
       `shouldBe` Right [replicate 8 1 ++ replicate 16 2 ++ replicate 8 1]
     fmap compositeDisplacements c `shouldBe` Right (replicate 3 (0, 0))
-  it "frames count as compared where some overlap and are not left where they are" $ \_ -> do
+  it "frames count as compared if some overlap and if they may be moved" $ \_ -> do
     let frames places = pressed idealSensor (texture 1 60 60) [(pose, (0, 0)) | pose <- places]
         three = region 32 16
         compared assemble = fmap ((== 0) . compositeUnregisteredError) . assemble . frames
         by way = fmap assemblyComposite . Stitch.assemble way standardRegistration
         apart = [pose | (i, pose) <- zip [0 :: Int ..] three, even i]
-    -- Without an error all stay where they are, and have been compared all the same.
+    -- Without an error all stay in place, and have been compared all the same.
     fmap compositeDisplacements (stitch standardRegistration (frames three))
       `shouldBe` Right (replicate 3 (0, 0))
     map (compared placeOnly) [three, take 1 three] `shouldBe` [Right False, Right True]
@@ -239,7 +239,7 @@ truth = do
         )
     closeTo _ _ = property False
 
--- | Frames put together with the noise that they show.
+-- | Frames registered with the noise that they show.
 together :: [Frame] -> Either StitchError Composite
 together frames = stitch (withNoiseOf frames standardRegistration) frames
 
@@ -250,7 +250,7 @@ genScale = (,) <$> choose (0.05, 2) <*> choose (-1, 1)
 onScale :: (Double, Double) -> Frame -> Frame
 onScale (gain, offset) f = f {frameImage = mapRaster (\v -> gain * v + offset) (frameImage f)}
 
--- | What a pixel reads then, which is 0 where nothing touched.
+-- | The reading of a pixel after this gain and offset, which is 0 where nothing touched.
 scaledWhere :: (Double, Double) -> Double -> Double -> Double
 scaledWhere (gain, offset) coverage v = if coverage < 0.001 then 0 else gain * v + offset
 
@@ -277,7 +277,7 @@ seenOtherwise = withCases 1 10 $ do
               closeImages (compositeImage c) (compositeImage d)
                 .&&. near (fst (compositeOrigin c) + a) (fst (compositeOrigin d))
                 .&&. near (snd (compositeOrigin c) + b) (snd (compositeOrigin d))
-  it "neither the order of the frames matters, nor how often each comes" $ \scenes ->
+  it "neither the order of the frames matters, nor their repetition" $ \scenes ->
     forAllBlind (elements scenes) $ \scene ->
       let frames = zip [0 :: Int ..] (sceneFrames scene)
        in forAllBlind (sublistOf frames >>= shuffle . (++ frames) . concat . replicate 3) $
@@ -300,7 +300,7 @@ seenOtherwise = withCases 1 10 $ do
             (zipRaster (scaledWhere (gain, offset)) (compositeCoverage c) (compositeImage c))
             .&&. compositeDisplacements d === compositeDisplacements c
             .&&. compositeContradiction d === compositeContradiction c
-  it "nor do those of each frame, but for what tells them" $ \scenes ->
+  it "a gain and an offset of each frame change nothing but what depends on them" $ \scenes ->
     forAllBlind (elements scenes) $ \scene -> forAll (vectorOf 12 genScale) $ \scales ->
       both (sceneStitched scene) (together (zipWith onScale scales (sceneFrames scene))) $ \c d ->
         let rho = alike (compositeImage c) (compositeImage d)
@@ -309,7 +309,7 @@ seenOtherwise = withCases 1 10 $ do
   it "a sensor turned in the robot's hand gives the same composite" $ \scenes ->
     forAllBlind (elements scenes) $ \scene ->
       forAll (vectorOf 12 (elements [0 :: Int .. 3])) $ \turns ->
-        let -- A sensor turned clockwise by so many quarters sees the image turned back by as many.
+        let -- A sensor turned clockwise by some quarters sees the image turned back by as many.
             fitsAt k f =
               f
                 { framePose = (framePose f) {poseRotation = 90 * fromIntegral k},
@@ -320,7 +320,7 @@ seenOtherwise = withCases 1 10 $ do
   where
     near a b = counterexample (show (a, b)) (abs (a - b) < 1e-6)
 
--- | What holds of two composites, if both were made.
+-- | A relation between two composites, if both were made.
 both ::
   Either StitchError Composite ->
   Either StitchError Composite ->
@@ -340,7 +340,7 @@ closeImages a b =
 
 unseen :: Spec
 unseen = do
-  it "blank frames stay where they are" $
+  it "blank frames stay in place" $
     fmap
       compositeDisplacements
       ( stitch
@@ -348,7 +348,7 @@ unseen = do
           [Frame pose 10 (constant 16 16 0) taxelPitch [] | pose <- region 32 40]
       )
       `shouldBe` Right (replicate 12 (0, 0))
-  it "frames of noise alone are moved by less than the position errors are large" $
+  it "frames of noise alone are moved by less than the position errors" $
     conjoin
       [ case compositeDisplacements
           <$> stitch
@@ -359,7 +359,7 @@ unseen = do
         | blank <-
             byEffort id (heightMap 1 (constant 0 0 0) :) [heightMap taxelPitch (constant 60 60 0.8)]
       ]
-  it "frames that do not overlap stay where they are" $
+  it "frames that do not overlap stay in place" $
     fmap
       compositeDisplacements
       ( stitch
@@ -370,7 +370,7 @@ unseen = do
 
 noisy :: Spec
 noisy =
-  it "with noise and errors, frames are registered to half a taxel, twice better" $
+  it "with noise and errors, frames are placed to half a taxel, and to half of their errors" $
     conjoin
       [ let errors = take 12 (draw (mkStdGen seed))
             frames = pressed standardSensor face (zip (region 32 40) errors)
@@ -387,7 +387,8 @@ noisy =
   where
     draw g = let (e, g') = normalPair g in e : draw g'
 
--- | How far the composite of one frame of a smooth scene, by a sensor so turned, is from the scene.
+-- | The distance between a smooth scene and the composite of one frame of it, by a sensor turned by
+-- this angle.
 turnedOff :: Double -> Double
 turnedOff degrees = case placeOnly [Frame (Pose 0 0 degrees) 1 image taxelPitch []] of
   Left _ -> 1
@@ -409,8 +410,8 @@ turnedOff degrees = case placeOnly [Frame (Pose 0 0 degrees) 1 image taxelPitch 
 
 refusals :: Spec
 refusals = do
-  it "no frame" $ [stitched [], placeOnly []] `shouldBe` [Left NoFrames, Left NoFrames]
-  it "a frame that is not of the size of the first, naming it" $
+  it "no frames are refused" $ [stitched [], placeOnly []] `shouldBe` [Left NoFrames, Left NoFrames]
+  it "a frame of another size than the first is refused, and named" $
     stitched [good, good {frameImage = constant 16 15 0}] `shouldBe` Left (FrameSize 1 16 15)
   it "a frame of any rotation is taken, and turned back" $
     [ (degrees, off)
@@ -419,7 +420,7 @@ refusals = do
         off > 0.01
     ]
       `shouldBe` []
-  it "what is not finite, naming the frame" $ do
+  it "a value that is not finite is refused with its frame" $ do
     let found =
           [ stitched [good, f]
             | f <-
@@ -430,18 +431,18 @@ refusals = do
                 ]
           ]
     found `shouldBe` replicate 4 (Left (FrameNotFinite 1))
-  it "an area too large to hold" $ do
+  it "an area too large to hold is refused" $ do
     stitched [good, at 1e9 1e9 0] `shouldSatisfy` tooLarge
     stitched [at 1e308 0 0, at (-1e308) 0 0] `shouldSatisfy` tooLarge
     -- 16 rows, of 2^18 pixels at most.
     let apart taxels = placeOnly [good, at (taxels * taxelPitch) 0 0]
     apart 262128 `shouldSatisfy` isRight
     apart 262129 `shouldSatisfy` tooLarge
-  it "too many frames" $
+  it "too many frames are refused" $
     forM_ [(10000, Nothing), (10001, Just (TooManyFrames 10001))] $ \(count, refused) ->
       (count, either Just (const Nothing) (placeOnly (replicate count good)))
         `shouldBe` (count, refused)
-  it "too many pixels, those of the canonical pitch or the frames' own: none is resampled" $ do
+  it "too many pixels are refused, at the canonical pitch or the frames' own, unresampled" $ do
     let large pitch = Frame (Pose 0 0 0) 1 (constant 256 256 0.5) pitch []
         refusal pitch count =
           either Just (const Nothing) (placeOnly (replicate count (large pitch)))
@@ -449,7 +450,7 @@ refusals = do
     refusal 50 1 `shouldBe` Just (TooManyFramePixels 64995844)
     refusal 0.05 129 `shouldBe` Just (TooManyFramePixels (129 * 65536))
     refusal 0.05 128 `shouldBe` Nothing
-  it "settings that make no sense" $
+  it "settings that make no sense are refused" $
     [ settings
       | settings <-
           [ standardRegistration {registrationSigma = Just 0},
@@ -468,8 +469,7 @@ refusals = do
     tooLarge (Left (AreaTooLarge _ _)) = True
     tooLarge _ = False
 
--- | Two crops, 16 x 16, of real pressure frames, at a known displacement from where their poses
--- say.
+-- | Two crops, 16 x 16, of real pressure frames, at a known displacement from their poses.
 real :: Spec
 real = do
   it "crops of one F-Scan frame are registered to a quarter of a taxel" $
@@ -504,8 +504,7 @@ real = do
   where
     -- One place each, displaced to either side.
     some = byEffort (take 2 . drop 1) id
-    -- The second crop lies two right and eight down (six and five) of the first, which is not what
-    -- its pose says.
+    -- The second crop lies two right and eight down (six and five) of the first, unlike its pose.
     registered first second (x, y) (nx, ny) = do
       a <- either (Left . show) Right (crop (x, y) (16, 16) first)
       b <-
@@ -540,6 +539,6 @@ real = do
       image <-
         B.readFile (folder ++ name ++ ".pgm")
           >>= either (fail . show) (pure . pgmIntensity) . decodePgm
-      -- Brought to full scale: a step of a walk uses a part of the sensor's range.
+      -- Scaled to full scale: a step of a walk uses a part of the sensor's range.
       pure (mapRaster (/ max 1e-9 (fromMaybe 1 (maximumValue image))) image)
     folder = "test/data/real-frames/"

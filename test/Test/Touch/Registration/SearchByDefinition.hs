@@ -1,4 +1,4 @@
--- | The search for a frame's displacement, and what it supposes, against their definitions.
+-- | Tests the search for a frame's displacement, and its assumptions, against their definitions.
 module Test.Touch.Registration.SearchByDefinition (spec) where
 
 import Data.List (foldl')
@@ -15,21 +15,21 @@ import Test.Touch.Image.RastersAndCorrelation (genRasterOf)
 
 spec :: Spec
 spec = withCases 12 100 $ do
-  describe "What registration supposes" settingsSpec
+  describe "The assumptions of registration" settingsSpec
   describe "The most probable displacement" searchSpec
   describe "Other places" otherSpec
 
 settingsSpec :: Spec
 settingsSpec = do
-  it "is an error that nobody told, noise of 0.1, 4.5 standard deviations, five sweeps" $
+  it "are an unknown error, noise of 0.1, 4.5 standard deviations, five sweeps" $
     standardRegistration `shouldBe` Registration Nothing 0.1 4.5 5
-  it "an error that nobody told is from half a taxel to a quarter pitch, else twice at most" $
+  it "take an unknown error from half a taxel to a quarter pitch, and a known one up to twice" $
     [ (sigmasFor settings, supposedSigma settings)
       | told <- [Nothing, Just 0.5, Just 3, Just 5],
         let settings = standardRegistration {registrationSigma = told}
     ]
       `shouldBe` [((0.5, 4), 1), ((0.25, 1), 0.5), ((1.5, 4), 3), ((2.5, 5), 5)]
-  it "makes sense where the deviation is positive, nothing negative, and the search within 64" $
+  it "are valid if the deviation is positive, nothing is negative, and the search is within 64" $
     [ (sigma, noise, reach)
       | sigma <- [-1, 0, 1e-300, 1, 16, 1 / 0, 0 / 0],
         noise <- [-0.1, 0, 0.1, 7, 1 / 0, 0 / 0],
@@ -43,8 +43,8 @@ settingsSpec = do
                      sigma * reach <= 64
                  ]
 
--- | A reference and an image that is a part of it with some noise, where that part lies, how sure
--- the robot is of a place near it, and a start near that place with how far to search from it.
+-- | A reference and an image that is a part of it with some noise, the part's place, the robot's
+-- certainty of a place near it, and a start near that place with the range of the search.
 data Sought = Sought
   { soughtReference :: Reference,
     soughtImage :: Raster,
@@ -78,8 +78,8 @@ genSought = do
         (fst centre + fst start, snd centre + snd start)
     )
 
--- | What an overlap at a displacement tells, the overlap counting no more than at the start, and
--- the prior: the two terms.
+-- | The log-likelihood of an overlap at a displacement, the overlap counting no more than at the
+-- start, and the log prior.
 terms :: Registration -> Sought -> (Double, Double) -> (Double, Double)
 terms settings sought d =
   ( logLikelihood (max 1e-9 (registrationNoise settings ^ (2 :: Int))) (at d) {overlapWeight = min (weight start) (weight d)},
@@ -96,8 +96,7 @@ overlapOf sought = uncurry (overlapAt (soughtReference sought) (soughtImage soug
 searchSpec :: Spec
 searchSpec = do
   it
-    "is the best at whole taxels from the start in the radius, then the best a half, a quarter\
-    \ and an eighth of a taxel from there, along x and then along y"
+    "is the best whole taxel within the radius, then refined by 1/2, 1/4 and 1/8, x before y"
     $ forAllBlind genSought $ \sought ->
       let settings = standardRegistration
           score d = uncurry (+) (terms settings sought d)
@@ -124,7 +123,7 @@ searchSpec = do
 
 otherSpec :: Spec
 otherSpec = do
-  it "of a plane, which is the same everywhere but for its level, are all within the search" $
+  it "on a plane, which is equal everywhere but for its level, are all within the search" $
     forAll ((,) <$> choose (-3, 3) <*> choose (-3, 3)) $ \(dx, dy) ->
       forAll (elements [0, 1, 2]) $ \search ->
         let plane = generate 9 9 (\x y -> 0.1 * fromIntegral x + 0.07 * fromIntegral y)

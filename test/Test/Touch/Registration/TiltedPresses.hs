@@ -1,7 +1,7 @@
 {-# OPTIONS_GHC -O1 #-}
 
--- | Tilted presses: the steps of their fit against the formulas summed in full, the plane of frames
--- made by the formula, and what of a frame counts on the lattice.
+-- | Tests tilted presses: the steps of their fit against the formulas summed in full, the plane of
+-- frames made by the formula, and the weight of a frame on the lattice.
 module Test.Touch.Registration.TiltedPresses (spec) where
 
 import Data.Foldable (for_)
@@ -34,10 +34,10 @@ reliefs = [0, 1 / 2, 1]
 
 stepSpec :: Spec
 stepSpec = do
-  it "log p is the sum over taxels of that of all reliefs, each with its probability" $
+  it "log p is the sum over taxels of the log of the mixture over all reliefs" $
     forAll genPress $ \press -> forAllBlind genTaxels $ \taxels ->
       near (fst (eStep press taxels)) (sum (map (log . densityAt press) taxels))
-  it "a step has least squares among the presses that the same taxels and reliefs touch" $
+  it "a step has the least squares of all presses that the same taxels and reliefs touch" $
     forAll genPress $ \press -> forAllBlind genTaxels $ \taxels ->
       forAll (vectorOf 4 (choose (-0.1, 0.1))) $ \off ->
         let next = mStep 4 press (snd (eStep press taxels))
@@ -50,11 +50,11 @@ stepSpec = do
                     pressDown = pressDown next + q
                   }
               _ -> next
-            -- The ridge of the equations is nothing beside the taxels.
+            -- The ridge of the equations is negligible beside the taxels.
             bound = errorsBy press taxels other + 1e-3
          in (pressGain next > leastGain)
               ==> counterexample (show next) (errorsBy press taxels next <= bound)
-  it "its variance is the mean square of what is left at the press before" $
+  it "a step's variance is the mean square of the residuals of the press before" $
     forAll genPress $ \press -> forAllBlind genTaxels $ \taxels ->
       let left =
             sum
@@ -83,8 +83,8 @@ joint press (Taxel t x y) r =
 share :: Press -> Taxel -> Double -> Double
 share press taxel r = joint press taxel r / densityAt press taxel
 
--- | The squared errors of a press, of the taxels and reliefs that touch at another, by which they
--- are as probable as they are.
+-- | The squared errors of a press, of the taxels and reliefs that touch at another press, weighted
+-- by their probability there.
 errorsBy :: Press -> [Taxel] -> Press -> Double
 errorsBy by taxels (Press a b p q _) =
   sum
@@ -106,7 +106,7 @@ genTaxels = do
 
 planeSpec :: Spec
 planeSpec = do
-  it "frames by the formula are evened to the relief, and what does not touch counts nothing" $
+  it "frames by the formula are levelled to the relief, and untouched parts count nothing" $
     forAllBlind (vectorOf 12 genTilted) $ \made -> case evened (map fst made) of
       Nothing -> counterexample "not tilted" False
       Just found ->
@@ -115,13 +115,13 @@ planeSpec = do
          in counterexample (show (right, length apart)) (10 * right >= 9 * length apart)
   it "frames of even presses are not taken for tilted" $
     forAllBlind (vectorOf 12 (frameOf 0)) $ \made -> isNothing (evened (map fst made))
-  it "nor are frames without variation, or none" $
+  it "frames without variation, or no frames, are not taken for tilted" $
     for_ [[], [constant 16 16 0.4], replicate 5 (constant 16 16 0)] $ \frames ->
       evened frames `shouldSatisfy` isNothing
   where
     genTilted = frameOf 1
-    -- Of taxels that touch half as much as at the centre, how far the relief is from what is read,
-    -- as a share of the relief's own height.
+    -- For taxels that touch at least half as much as the centre, the distance between relief and
+    -- reading, as a share of the relief's height.
     differences (_, (relief, touch)) (level, _) =
       [ abs ((l - base) / height - r)
         | (i, r, t) <- zip3 [0 ..] (V.toList (rasterValues relief)) (V.toList (rasterValues touch)),
@@ -131,7 +131,7 @@ planeSpec = do
       where
         -- The levels of flat and embossed are those of the frame's own centre.
         (base, height) = scaleBy (rasterValues level) (rasterValues relief) (rasterValues touch)
-    -- The line of least squares through what is read over the relief.
+    -- The line of least squares through the readings over the relief.
     scaleBy level relief touch = (my - slope * mx, slope)
       where
         kept =
@@ -145,8 +145,8 @@ planeSpec = do
           sum [(x - mx) * (y - my) | (x, y) <- kept]
             / max 1e-9 (sum [(x - mx) * (x - mx) | (x, _) <- kept])
 
--- | A frame of symbols by the formula, at slopes of so many times the relief, with the relief and
--- how much each taxel touches of what the centre does.
+-- | A frame of symbols by the formula, at slopes of this many times the relief, with the relief and
+-- the touch of each taxel relative to the centre.
 frameOf :: Double -> Gen (Raster, (Raster, Raster))
 frameOf slope = do
   (dx, dy) <- (,) <$> choose (0, 15) <*> choose (0, 19)
@@ -172,7 +172,7 @@ frameOf slope = do
 
 weightSpec :: Spec
 weightSpec = do
-  it "a frame all of whose taxels count in full tells what it tells without counting them" $
+  it "a frame whose taxels all have weight 1 has the likelihood of the unweighted frame" $
     forAllBlind (fst <$> frameOf 0) $ \image ->
       let (plain, counted) = (told image Nothing, told image (Just (constant 16 16 1)))
           close a b = abs (a - b) < 1e-6 * (1 + abs b)
@@ -180,7 +180,7 @@ weightSpec = do
             [ property (close (logDensity counted) (logDensity plain)),
               property (and (zipWith close (logs phaseLogs counted) (logs phaseLogs plain)))
             ]
-  it "of taxels that count less, symbols are as likely as sums over all of them say" $
+  it "with weighted taxels, a symbol's likelihood is that of the weighted sums" $
     forAllBlind genPart $ \(image, ends) ->
       let (wide, high) = rasterSize image
           weights = generate wide high (\x _ -> max 0 (min 1 (blendOf ends (fromIntegral x / 15))))
@@ -210,7 +210,7 @@ weightSpec = do
       fitLikelihood (fitOf (tablesAt paperTables 0 (rasterSize image)) (image, counting))
     logs of' = V.toList . of'
     genPart = (,) <$> (part . fst <$> frameOf 0) <*> vectorOf 2 (choose (0, 1))
-    -- Of a frame so much that some of a symbol is in it.
+    -- Large enough a part of a frame to contain some of a symbol.
     part = either (error . show) id . crop (0, 0) (byEffort (12, 11) (16, 16))
 
 paper :: Drawings

@@ -1,4 +1,4 @@
--- | By which method frames are registered, and what is told of them then.
+-- | Tests which method registers frames, and what is then reported of them.
 module Test.Touch.Registration.WhichMethod (spec) where
 
 import Control.Exception (evaluate)
@@ -27,7 +27,7 @@ spec = do
 
 spacedSpec :: Spec
 spacedSpec =
-  it "some of a list are all where these are no more, else so many, evenly, the first among them" $
+  it "spacedOut takes all of a short list, and else that many, evenly, the first among them" $
     forAll ((,) <$> choose (0, 12) <*> choose (0, 40)) $ \(most, n) ->
       let found = spacedOut most [0 .. n - 1] :: [Int]
           gaps = zipWith (-) (drop 1 found) found
@@ -46,7 +46,7 @@ facing places = [(place, frameAt (16, 16) place) | place <- places]
 
 waySpec :: Spec
 waySpec = do
-  it "what is not registered stays, and so do frames that show nothing" $ do
+  it "nominal frames are not moved, and neither are frames without relief" $ do
     let blanks = [((0, 0), constant 8 8 0.25), ((4, 1), constant 8 8 0.25)]
         told arranged' = (arrangementMethod arranged', map shown (arrangementFrames arranged'))
         shown (Registered shift deviation probability others _) =
@@ -57,7 +57,7 @@ waySpec = do
     for_ [(Automatic, ByPairs), (ByLattice, ByLattice), (ByPairs, ByPairs)] $
       \(method, used) ->
         told (arranged method standardRegistration blanks) `shouldBe` (used, [unmoved, unmoved])
-  it "one after the other and jointly, frames have what these registrations tell" $ do
+  it "Incremental and ByPairs give frames the results of these registrations" $ do
     let frames = facing places
         one = arranged Incremental standardRegistration frames
         all' = arranged ByPairs standardRegistration frames
@@ -76,20 +76,20 @@ waySpec = do
             ]
       map registeredGroup (arrangementFrames found) `shouldBe` groupsOf moved
       arrangementResidual found `shouldBe` residual moved
-  it "automatically by the lattice where frames show it, whatever is told of error and noise" $ do
+  it "Automatic uses the lattice if frames show it, whatever the known error and noise" $ do
     let method settings = arrangementMethod (arranged Automatic settings (facing places))
         with sigma noise =
           standardRegistration {registrationSigma = Just sigma, registrationNoise = noise}
     map method (standardRegistration : [with sigma noise | sigma <- [0.5, 3], noise <- [0, 0.4]])
       `shouldBe` replicate 5 ByLattice
-    -- A single frame is registered to nothing, nor are frames that show something else to it.
+    -- A single frame is registered to nothing, nor are frames with any other relief.
     arrangementMethod (arranged Automatic (with 2 0.1) (facing [(20, 20)])) `shouldBe` ByPairs
     let noise = [((8 * fromIntegral k, 0), rough k) | k <- [0 .. 2 :: Int]]
         rough k = generate 16 16 (\x y -> wave 0.9 (x + 8 * k) + wave 0.7 y)
         wave by t = sin (by * fromIntegral t)
     map (\w -> arrangementMethod (arranged w (with 2 0.1) noise)) [Automatic, ByLattice]
       `shouldBe` [ByPairs, ByLattice]
-  it "so many that they would be compared in more pixels than are: only in that way" $ do
+  it "too many frames are refused by the methods that compare their pixels, and only by these" $ do
     let slope = generate 16 16 (\x y -> fromIntegral (x * y))
         many count = replicate count ((0, 0), slope)
         refused method count =
@@ -103,29 +103,29 @@ waySpec = do
       `shouldSatisfy` \found -> case found of
         Just (PairPixels n) -> n > maxPairPixels
         _ -> False
-    -- Those far from each other are not compared.
+    -- Frames far from each other are not compared.
     let apart = [((100 * fromIntegral k, 0), slope) | k <- [1 .. 3000 :: Int]]
     refusal (arrange Incremental standardRegistration apart) `shouldBe` Nothing
-  it "the lattice's angle is told from a part of a large frame, the one that shows most" $ do
+  it "the lattice's angle is estimated from the crop of a large frame with most contrast" $ do
     let strong x y = fromIntegral ((7 * x + 3 * y) `mod` 5) - 2
         image = generate 200 100 $ \x y -> strong x y * (if x >= 168 && y >= 68 then 1 else 0.1)
     (Right (variedCrop image) == crop (168, 68) (32, 32) image) `shouldBe` True
     for_ [(32, 32), (4, 256), (128, 8)] $ \(w, h) ->
       let small = generate w h strong in (variedCrop small == small) `shouldBe` True
-  it "the lattice is seen in large frames, too, each turned a little in itself" $ do
+  it "the lattice is also recognised in large frames, each turned a little in itself" $ do
     let frames =
           [ ((x, y), frameTurned angle (48, 48) (x, y))
             | (angle, x, y) <- [(2, 8, 8), (-1.5, 24, 8), (1, 8, 24), (-2, 24, 22)]
           ]
     arrangementMethod (arranged Automatic standardRegistration frames) `shouldBe` ByLattice
-  whenFull . it "two large frames that show no lattice are known for such in little memory" $ do
+  whenFull . it "two large frames without a lattice are recognised as such in little memory" $ do
     let settings = standardRegistration {registrationSigma = Just 2}
         rough k = generate 200 200 (\x y -> grey (x + 200 * (y + 200 * k)))
         grey n = fromIntegral ((n * 1103515245 + 12345) `div` 65536 `mod` 256 :: Int) / 255
         frames = [((fromIntegral k * 20, 0), rough k) | k <- [0, 1]]
     found <- withinBounds (evaluate (arrangementMethod (arranged Automatic settings frames)))
     found `shouldBe` Right ByPairs
-  it "by the lattice frames of 256 x 256 pixels and no larger ones" $ do
+  it "ByLattice takes frames of 256 x 256 pixels, and no larger ones" $ do
     let image side = generate side 256 (\x y -> fromIntegral (x + y))
         refused side =
           refusal (arrange ByLattice standardRegistration (replicate 2 ((0, 0), image side)))

@@ -1,4 +1,4 @@
--- | Boxes, their neighbourhood and their way back to the composite, case by case over all small
+-- | Tests boxes, their neighbourhood and their mapping back to the composite, over all small
 -- distances.
 module Test.Touch.Segmentation.BoxesAndAxes (spec) where
 
@@ -18,7 +18,7 @@ import Test.QuickCheck hiding (generate, sample)
 spec :: Spec
 spec = do
   describe "Extents" extents
-  describe "Parts of one thing" together
+  describe "Pieces of one thing" together
   describe "Along an axis" along
   describe "Neighbours" neighbours
 
@@ -32,7 +32,7 @@ extents = do
             [ near (horizontalExtent pixels 0.5 region) (l - 0.5) (r - 0.5),
               near (verticalExtent pixels 0.5 region) (t - 0.5) (b - 0.5)
             ]
-  it "a line of one to three pixels moves the side it sticks out of by half a pixel at most" $
+  it "change by at most half a pixel where a line of one to three pixels sticks out" $
     [ (k, side, movedBy (measuredBy k side))
       | k <- [1 .. 4],
         side <- [0 .. 3]
@@ -44,7 +44,7 @@ extents = do
                 | (i, move) <- zip [0 ..] moves
               ]
         )
-  it "fitted: by the side that is seen if the other is open and half a pixel is missing" $
+  it "are completed from the other side if one is open and more than half a pixel is missing" $
     [ ( (missing, open, open'),
         fitted 1.6 8 (Extent (Side 10 open) (Side (18 - missing) open'))
       )
@@ -124,7 +124,7 @@ drawn rectangles =
 
 along :: Spec
 along = do
-  it "rejects have their boxes where they lie in the composite, whichever the axis" $
+  it "rejects have their boxes in place in the composite, whatever the axis" $
     conjoin
       [ counterexample (show (quarter, box)) $
           case segmentedRejects found of
@@ -141,7 +141,7 @@ along = do
           box@(x, y, w, h) <- [(5, 6, 4, 7), (20, 9, 9, 5), (9, 25, 5, 16)],
           let (_, _, found) = segmentAlong (turned quarter) (compositeOf (drawn [box]))
       ]
-  it "symbols have their centres where they lie in the composite, and the axis of the reading" $
+  it "symbols have their centres in place in the composite, and the axis of the reading" $
     conjoin
       [ counterexample (show (quarter, box)) $
           case segmentedSymbols found of
@@ -159,7 +159,7 @@ along = do
           let (_, _, found) = segmentAlong (turned quarter) (compositeOf (drawn [box]))
       ]
 
-  it "a symbol's image is the composite around its centre, which goes on beyond an edge" $
+  it "a symbol's image is the composite around its centre, continued beyond an edge" $
     forAll ((,,,) <$> size 8 <*> size 12 <*> choose (0, 3) <*> choose (0, 3)) $ \(w, h, i, j) ->
       let place extent room k = case k :: Int of
             0 -> 0
@@ -188,7 +188,7 @@ along = do
     -- If more than half a pixel were missing, a column or row would not have been touched.
     size full = choose (full - 0.5, full + 1.2)
     near a b = abs (a - b) < (1e-9 :: Double)
-    -- How much of a pixel, from i to i + 1, is covered.
+    -- The covered share of a pixel from i to i + 1.
     share from to i = max 0 (min to (fromIntegral i + 1) - max from (fromIntegral i)) :: Double
 
 neighbours :: Spec
@@ -201,7 +201,7 @@ neighbours =
     ]
       `shouldBe` []
   where
-    -- The place of the second symbol's cell from the first's, if they are of one cluster.
+    -- The place of the second symbol's cell from the first's, if they are in one cluster.
     cellsOf place = case arrange id [symbolAt (0, 0), symbolAt place] of
       [Cluster cells] -> case [cell | (cell, s) <- Map.toList cells, symbolCentre s == place] of
         [(i, j)] ->

@@ -1,6 +1,6 @@
--- | Symbols arranged in clusters, by what makes an arrangement right: wherever chains from
--- neighbour to neighbour lead to one cell of its own for each symbol, it is in that; where they do
--- not, the contradiction is one.
+-- | Tests symbols arranged in clusters against the condition for an arrangement: if chains of
+-- neighbours lead each symbol to one cell of its own, it is in that cell; if not, the contradiction
+-- is a real one.
 module Test.Touch.Segmentation.ClustersOfNeighbours (spec) where
 
 import Data.List (minimumBy, nub, sort)
@@ -17,7 +17,7 @@ import Test.QuickCheck
 spec :: Spec
 spec =
   withCases 50 400
-    . it "are what chains of neighbours connect, by the shortest chains, or how these contradict"
+    . it "are what chains of neighbours connect, by the shortest chains, or state the contradiction"
     $ forAllShrink (oneof [genSymbols, genRoads]) (shrinkList (const [])) $
       \symbols ->
         let numbered = zip [0 ..] symbols
@@ -36,7 +36,7 @@ type Symbol = ((Double, Double), Double)
 image :: Symbol -> SymbolImage
 image (place, angle) = SymbolImage place (constant 8 12 0) angle (8, 12)
 
--- | Symbols on a lattice, each moved by as much as may be, some of them beside it.
+-- | Symbols on a lattice, each moved by up to the tolerance, some of them beside it.
 genSymbols :: Gen [Symbol]
 genSymbols = do
   off <- elements [0, 2, 4]
@@ -45,7 +45,7 @@ genSymbols = do
   vectorOf count $ do
     (i, j) <- (,) <$> choose (0, 3 :: Int) <*> choose (0, 3 :: Int)
     (dx, dy) <- (,) <$> choose (negate off, off) <*> choose (negate off, off)
-    -- Exactly as far off as is tolerated, too.
+    -- Including exactly the tolerance.
     edge <- elements [0, 0, 0, 4, -4]
     let (x, y) = (16 * fromIntegral j + dx + edge, 20 * fromIntegral i + dy)
         (c, s) = (cos (skew * pi / 180), sin (skew * pi / 180))
@@ -68,7 +68,7 @@ genRoads = do
 -- | A symbol with its number among those given.
 type Numbered = (Int, Symbol)
 
--- | What holds of the clusters of some symbols.
+-- | The condition for the clusters of some symbols.
 lawful :: [Numbered] -> [Cluster Numbered] -> Property
 lawful symbols found =
   conjoin
@@ -76,7 +76,7 @@ lawful symbols found =
         sort (concatMap members found) === sort symbols,
       counterexample "clusters are what chains of neighbours connect, and nothing else is" $
         sort (map (sort . members) found) === sort (map sort (chains symbols)),
-      counterexample "they are told from top to bottom and left to right of their first symbols" $
+      counterexample "clusters are in the order of their first symbols, row by row" $
         let firsts = map (minimum . map inOrder . members) found in firsts === sort firsts,
       conjoin (map agrees found)
     ]
@@ -92,7 +92,7 @@ lawful symbols found =
       [] -> own
       new -> grown (own ++ new) [t | t <- rest, t `notElem` new]
     stepTo t s = neighbour (image (snd s)) (image (snd t))
-    -- The cells to which chains of so many steps lead from the first symbol.
+    -- The cells to which chains of this many steps lead from the first symbol.
     byLengthOf those =
       let start = minimumBy (comparing inOrder) those
           further reached =

@@ -1,5 +1,5 @@
--- | Composites in which little was felt, far apart: they take the memory and the time of what was
--- felt, not of the rectangle around it, and show what they would show in full.
+-- | Tests composites with little relief that lies far apart: they take memory and time for the
+-- touched pixels only, and give the results of the full rectangle.
 module Test.Touch.Segmentation.FeltFarApart (spec) where
 
 import Control.Exception (evaluate)
@@ -27,26 +27,26 @@ spec :: Spec
 spec = do
   withCases 1 3 rasterSpec
   withCases 2 4 turnedSpec
-  it "six frames of stripes, one of them thirty metres away, take no more than six" $ do
+  it "six frames of stripes, one of them thirty metres away, take two seconds, 300 MB at most" $ do
     composite <- composed [(0, 0), (12.7, 0), (25.4, 0), (0, 12.7), (12.7, 12.7), (3e4, 0)]
     reader <- either (fail . show) pure (shippedReader 4)
     found <- withinBounds (evaluate (length (show (features reader composite))))
     found `shouldSatisfy` isRight
-  it "symbols' pixels far apart are connected as those in a small field are" $ do
+  it "symbols' pixels far apart are connected like those in a small field" $ do
     let far = maskedAs (1000000, 1000000) V.empty V.empty
         here = maskedAs (9, 9) V.empty V.empty
         marks = [0, 1, 10, 13, 22, 40, 42, 80]
-        -- The same in the middle of the large field, and again far from there.
+        -- The pixels in the middle of the large field, and again far from there.
         on field (x, y) p = let (u, v) = placeOf here p in (y + v) * maskedWidth field + x + u
         wanted = map sort (components here 0 marks)
         places = [(500000, 17), (20, 900000)]
     map sort (components far 0 (concat [map (on far place) marks | place <- places]))
       `shouldBe` [sort (map (on far place) region) | place <- places, region <- wanted]
 
--- | Large images of which few pixels are not 0 obey what all images do.
+-- | Large images with few nonzero pixels obey the laws of all images.
 rasterSpec :: Spec
 rasterSpec =
-  it "of a large image of which few pixels are kept, all is as if each were" $
+  it "a large image of which few pixels are kept equals the full image" $
     forAll (IntSet.fromList <$> listed (choose (0, w * h - 1))) $ \some ->
       let numbers = V.fromList (IntSet.toAscList some)
           value x y = fromIntegral (x + 2 * y + 1)
@@ -73,12 +73,12 @@ rasterSpec =
     -- One that exchanges the axes, and one that does not.
     someTurns = byEffort [turned 1, turned 2] symmetries
 
--- | What was felt far apart, set upright.
+-- | A composite with relief far apart, set upright.
 turnedSpec :: Spec
 turnedSpec = do
   composite <- runIO (composed [(0, 0), (300, 2000), (2000, 300)])
   let known = weighted composite
-  it "set upright, each pixel shows what was felt where it lies, and nothing where nothing was" $
+  it "set upright, each pixel shows what was felt at its place, and nothing elsewhere" $
     forAll (choose (-45, 45)) $ \angle ->
       let (upright, back) = setUpright angle composite
           image = compositeImage upright
@@ -95,8 +95,8 @@ turnedSpec = do
        in counterexample (show (w, h)) $
             length felt > 600 .&&. map shown places === map wanted places
 
--- | Frames of stripes, in the direction of 30 degrees, at these places, in millimetres, put
--- together as they are.
+-- | Frames of stripes, in the direction of 30 degrees, at these places in millimetres, placed
+-- without registration.
 composed :: [(Double, Double)] -> IO Composite
 composed = either (fail . show) pure . placeOnly . map frame
   where

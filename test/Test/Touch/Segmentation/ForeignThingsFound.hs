@@ -1,5 +1,5 @@
--- | Which regions are of a symbol's size, which are none of a symbol, and where they are straight;
--- how high symbols stand, and what is foreign beside them: each against its definition.
+-- | Tests which regions have a symbol's size, which cannot be symbols, and where they are straight;
+-- the height of symbols, and foreign regions beside them; each against its definition.
 module Test.Touch.Segmentation.ForeignThingsFound (spec) where
 
 import qualified Data.IntSet as IntSet
@@ -29,7 +29,7 @@ spec = do
 wide, high :: Int
 (wide, high) = (34, 30)
 
--- | A field all of which was touched.
+-- | A field of which all was touched.
 field :: Masked
 field = masked (compositeOf (constant wide high 0))
 
@@ -46,14 +46,14 @@ regionOf holds =
 rectangle :: (Int, Int) -> (Int, Int) -> Region
 rectangle (l, t) (w, h) = [y * wide + x | y <- [t .. t + h - 1], x <- [l .. l + w - 1]]
 
--- | A bar of that length and width around a place, turned clockwise by so many degrees.
+-- | A bar of this length and width around a place, turned clockwise by these degrees.
 bar :: (Double, Double) -> Double -> (Double, Double) -> (Double, Double) -> Bool
 bar (cx, cy) angle (long, short) (x, y) = abs u <= long / 2 && abs v <= short / 2
   where
     (c, s) = (cos (angle * pi / 180), sin (angle * pi / 180))
     (u, v) = (c * (x - cx) + s * (y - cy), c * (y - cy) - s * (x - cx))
 
--- | How far a region extends at an angle, its pixels being one wide.
+-- | The extent of a region at an angle, with pixels one wide.
 extent :: Region -> Double -> Double
 extent region angle = maximum along - minimum along + 1
   where
@@ -69,14 +69,14 @@ sizeSpec = do
     forAll genBar $ \region ->
       let longest = maximum (map (extent region . (22.5 *)) [0 .. 7])
        in collect (longest > 18) (tooLong field region === (longest > 18))
-  it "it is of a symbol's size if it is 12 by 8 pixels, 1.8 more or less, at one of 36 angles" $
+  it "a region has a symbol's size if it is 12 by 8 pixels (1.8 more or less) at one of 36 angles" $
     forAll genBar $ \region ->
       let fits angle =
             let (long, short) = (extent region angle, extent region (angle + 90))
              in abs (long - 12) <= 1.8 && abs (short - 8) <= 1.8 && long - short >= 2
           wanted = length region `elem` [24 .. 110] && any (fits . (5 *)) [0 .. 35]
        in collect wanted (symbolSized field region === wanted)
-  it "it is unlike symbols if it is too long, or whole, of 36 pixels or more and not of that size" $
+  it "a region cannot be a symbol if too long, or if whole, at least 36 pixels, of another size" $
     [ ((l, t, w, h), unlikeSymbols field (rectangle (l, t) (w, h)))
       | (l, t, w, h) <-
           [(12, 9, 6, 6), (12, 9, 10, 10), (9, 9, 19, 2), (9, 9, 19, 1), (0, 0, 19, 1)]
@@ -84,7 +84,7 @@ sizeSpec = do
             ++ [(0, 9, 6, 6), (wide - 6, 9, 6, 6), (12, 0, 6, 6), (12, high - 6, 6, 6)]
     ]
       `shouldSatisfy` ((== replicate 5 True ++ replicate 8 False) . map snd)
-  it "what lies at what was not touched is not whole" $
+  it "a region beside an untouched pixel is not whole" $
     -- A square of 6 x 6 with an untouched pixel beside it.
     forAll (elements [(9, 10), (16, 10), (12, 8), (12, 15)]) $ \(x, y) ->
       let region = regionOf (\(u, v) -> u >= 10 && u <= 15 && v >= 9 && v <= 14)
@@ -106,7 +106,7 @@ sizeSpec = do
 straightSpec :: Spec
 straightSpec = do
   withCases 7 60
-    . it "straight is what lies on lines of 17 pixels of which 16 are in the region, at 16 angles"
+    . it "straight pixels lie on a line of 17 with 16 in the region, at one of 16 angles"
     $ forAll genThing $
       \region ->
         let onLines =
@@ -126,7 +126,7 @@ straightSpec = do
               ]
             places = IntSet.fromList region
          in sort (concat (straight field region)) === IntSet.toList (IntSet.fromList onLines)
-  it "a line of 16 pixels is straight, of 15 is not, one may be missing; of 12 on a diagonal" $
+  it "a line is straight from 16 pixels on, even without one; on a diagonal from 12 on" $
     [ null (straight field region)
       | region <-
           [ row [4 .. 19],
@@ -151,11 +151,11 @@ straightSpec = do
           other = bar at (angle + 90) (8, 12)
       pure (regionOf (\p -> one p || other p))
 
--- | What was felt, and where, of such a composite.
+-- | The values of a composite, and where it was touched.
 genScene :: Gen Masked
 genScene = smoothed . masked <$> genComposite
 
--- | Bars of several heights on a slope, with some noise, of which not all was touched.
+-- | Bars of several heights on a slope, with some noise, not all of it touched.
 genComposite :: Gen Composite
 genComposite = do
   count <- choose (0, 5)
@@ -183,15 +183,15 @@ genComposite = do
       coverage x y = if touched !! (y * wide + x) then 1 else 0
   pure (compositeOf (generate wide high value)) {compositeCoverage = generate wide high coverage}
 
--- | Of some pixels those that are none of others.
+-- | The pixels of one region that are not in another.
 without :: [Int] -> [Int] -> [Int]
 without others = filter (not . among others)
 
--- | The pixels of the field no further than that from some.
+-- | The pixels of the field within this distance of some.
 near :: Int -> [Int] -> [Int]
 near = around field
 
--- | The field with these values, and nothing else touched.
+-- | The field with these values, touched nowhere else.
 showing :: [(Int, Double)] -> Masked
 showing pixels = maskedAs (wide, high) (V.fromList numbers) (V.fromList values)
   where
@@ -204,14 +204,14 @@ heightSpec = do
         rest = without symbol [1 .. wide * high - 1]
         found = symbolLevels (showing ((0, -10) : [(p, 0) | p <- rest] ++ [(p, 1) | p <- symbol])) 0
      in fmap (length . snd) found `shouldBe` Just 1
-  it "of what lies three pixels from a symbol twelve must be touched" $
+  it "a symbol needs twelve touched pixels at a distance of three" $
     [ snd <$> symbolLevels (showing ([(p, 1) | p <- symbol] ++ [(p, 0) | p <- take n ring])) 0
       | let symbol = regionOf (bar (15.5, 14.5) 0 (12, 8)),
         let ring = without (near 2 symbol) (near 3 symbol),
         n <- [11, 12]
     ]
       `shouldSatisfy` \found -> map (fmap length) found == [Nothing, Just 1]
-  it "symbols stand as high as the middle of them, above what lies around them" $
+  it "symbols have the median of their heights, above their surroundings" $
     forAll (vectorOf 3 (choose (0.4, 0.6))) $ \heights -> forAll (choose (0, 0.39)) $ \least ->
       let pixels = raised 0.25 (zip places heights)
        in case symbolLevels pixels least of
@@ -219,11 +219,11 @@ heightSpec = do
               (low, sort (map sort symbols)) === (0.25, sort places)
                 .&&. counterexample (show up) (abs (up - 0.25 - sort heights !! 1) < 1e-9)
             Nothing -> property False
-  it "what is more than 1.6 times or less than half as high as most is none of them" $ do
+  it "a symbol is at most 1.6 times and at least half as high as most" $ do
     let found other =
           length . snd <$> symbolLevels (raised 0 (zip places [0.5, 0.5, other])) 0
     map found [0.26, 0.24, 0.79, 0.81] `shouldBe` [Just 3, Just 2, Just 3, Just 2]
-  it "what is not of their size has no part in it, however high" $ do
+  it "regions of another size do not count, however high" $ do
     let bars = [(rectangle (2, 17) (30, 3), 1), (rectangle (4, 23) (4, 4), 0.9)]
         pixels = raised 0.25 (zip (take 2 places) [0.5, 0.5] ++ bars)
     fmap (sort . map sort) <$> symbolLevels pixels 0
@@ -232,14 +232,14 @@ heightSpec = do
     let one least = maybe 0 (length . snd) (symbolLevels (raised 0 [(p, 0.5)]) least)
         p = rectangle (12, 9) (8, 12)
     map one [0.4999, 0.5001] `shouldBe` [1, 0]
-  it "of what shares pixels, that is one which is cut off nearest to half its height" $ do
-    -- Of a symbol's size with its shoulder, too.
+  it "of overlapping regions the symbol is the one cut off nearest to half its height" $ do
+    -- It has a symbol's size with its shoulder, too.
     let own = rectangle (12, 9) (8, 12)
         shoulder = rectangle (20, 9) (1, 12)
     fmap (map sort) <$> symbolLevels (raised 0 [(own, 1), (shoulder, 0.3)]) 0
       `shouldBe` Just (Levels 0 1, [own])
-  it "nothing is a symbol that has its size only far from half its height" $ do
-    -- On a plateau too large for one.
+  it "a region that has a symbol's size only far from half its height is no symbol" $ do
+    -- On a plateau too large for a symbol.
     let plateau h =
           raised 0 [(rectangle (12, 9) (8, 12), 1 - h), (rectangle (10, 9) (12, 12), h)]
     [length . snd <$> symbolLevels (plateau h) 0 | h <- [0.65, 0.75]] `shouldBe` [Just 1, Nothing]
@@ -248,7 +248,7 @@ heightSpec = do
           raised 0 [(rectangle (12, 9) (8, 12), 0.75), (take n (rectangle (12, 9) (8, 12)), 0.25)]
         height n = levelEmbossing . fst <$> symbolLevels (ridges n) 0
     map height [28, 29] `shouldBe` [Just 0.75, Just 1]
-  it "at twice the gain all is twice as high, and the same are symbols" $
+  it "doubling the gain doubles all heights, and keeps the symbols" $
     forAllBlind genScene $ \scene -> forAll (elements [0.04, 0.2]) $ \least ->
       let doubled = scene {touchedValues = V.map (2 *) (touchedValues scene)}
           twice (Levels a b, symbols) = (Levels (2 * a) (2 * b), symbols)
@@ -258,7 +258,7 @@ heightSpec = do
   where
     places = [rectangle (4, 1) (8, 12), rectangle (21, 1) (8, 12), rectangle (4, 17) (8, 12)]
 
--- | A field of that level with some regions above it by so much.
+-- | A field of this level with some regions above it by these heights.
 raised :: Double -> [(Region, Double)] -> Masked
 raised level regions =
   field {touchedValues = V.generate (wide * high) (\p -> level + sum (heights p))}
@@ -267,12 +267,12 @@ raised level regions =
 
 foreignSpec :: Spec
 foreignSpec = do
-  it "of sunken pixels twelve are foreign, eleven are noise" $
+  it "twelve sunken pixels are foreign, and eleven are noise" $
     [ length (foreignIn (showing [(p, -1) | p <- take n [9 * wide + 3 ..]]) (Levels 0 1) [])
       | n <- [11, 12]
     ]
       `shouldBe` [0, 1]
-  it "a bar is foreign from 0.35 of the symbols' height on, as high as none from 1.5 on" $
+  it "a bar is foreign from 0.35 of the symbols' height on, and too high from 1.5 on" $
     [ [(cause, height, of' region) | (region, cause, height) <- foreign' [(bar', v)] []]
       | v <- [0.34, 0.35, 1, 1.49, 1.5, 3],
         -- With a rim of one pixel at least and of two at most.
@@ -281,30 +281,30 @@ foreignSpec = do
       `shouldBe` [[]]
       ++ replicate 3 [(TooLarge, False, True)]
       ++ replicate 2 [(TooLarge, True, True)]
-  it "what is no longer than a symbol is not, nor what of it is not straight" $ do
+  it "a bar no longer than a symbol is not foreign, nor are pixels off its straight line" $ do
     foreign' [(rectangle (7, 10) (17, 3), 1), (rectangle (7, 20) (12, 8), 2)] [] `shouldBe` []
-    -- A square of 8 x 8 under the end of the bar, on lines through both but for its far side.
+    -- A square of 8 x 8 under the end of the bar, on lines through both except for its far side.
     case foreign' [(bar', 1), (rectangle (7, 13) (8, 8), 1)] [] of
       [(region, TooLarge, False)] -> do
         filter (`notElem` region) bar' `shouldBe` []
         filter (`elem` region) (rectangle (7, 19) (8, 2)) `shouldBe` []
       other -> expectationFailure (show other)
-  it "what is sunk by 0.35 of the symbols' height is foreign, of any shape" $
+  it "a region sunk by 0.35 of the symbols' height is foreign, whatever its shape" $
     [foreign' [(rectangle (9, 9) (4, 3), v)] [] | v <- [-0.34, -0.35, -2]]
       `shouldBe` [ [],
                    [(rectangle (7, 7) (8, 7), Hollow, True)],
                    [(rectangle (7, 7) (8, 7), Hollow, True)]
                  ]
-  it "what is a symbol's, or lies at its rim, is not" $ do
+  it "a symbol and its rim are not foreign" $ do
     let symbol = rectangle (10, 14) (8, 12)
         kept = rectangle (9, 13) (10, 14)
     foreign' [(bar', 2), (symbol, 1)] [symbol]
       `shouldBe` [([p | p <- rim2, p `notElem` kept], TooLarge, True)]
     foreign' [(symbol, 2)] [symbol] `shouldBe` []
-  it "the slope of what is too high is told with it, not once more" $
+  it "the slope of a region that is too high belongs to it, and is not reported again" $
     foreign' [(bar', 1.5), (rectangle (6, 9) (22, 5), 0.5)] []
       `shouldBe` [(rim2, TooLarge, True)]
-  it "the high ones are told first, then the level ones, then the sunk ones" $
+  it "regions that are too high come first, then the level ones, then the sunken ones" $
     map
       (\(_, cause, height) -> (cause, height))
       ( foreign'
@@ -326,7 +326,7 @@ foreignSpec = do
 
 removedSpec :: Spec
 removedSpec = do
-  it "a bar, a hole or a plateau beside a symbol is taken out with its rim, and nothing else" $
+  it "a bar, a hole or a plateau beside a symbol is masked with its rim, and nothing else is" $
     forAll (elements things) $ \(thing, value, cause, height) -> forAll (choose (0, 0.3)) $ \low ->
       let picture = drawn low [(symbol, 0.4), (thing, value)]
           composite = compositeOf picture
@@ -334,16 +334,16 @@ removedSpec = do
           image = compositeImage found
           gone = [p | (p, 0) <- zip [0 ..] (V.toList (rasterValues (compositeCoverage found)))]
        in conjoin
-            [ counterexample "all of it" $ filter (`notElem` gone) thing === [],
-              counterexample "with no more than four pixels around it" $
+            [ counterexample "all of it is masked" $ filter (`notElem` gone) thing === [],
+              counterexample "at most four pixels around it are masked" $
                 filter (`notElem` near 4 thing) gone === [],
-              counterexample "none of the symbol" $ filter (`elem` gone) symbol === [],
-              counterexample "what is taken out counts as flat, the rest stays" $
+              counterexample "nothing of the symbol is masked" $ filter (`elem` gone) symbol === [],
+              counterexample "masked pixels count as flat, and the others stay" $
                 V.toList (rasterValues image)
                   === [ if p `elem` gone then 0 else v
                         | (p, v) <- zip [0 ..] (V.toList (rasterValues picture))
                       ],
-              counterexample "parts are read where it is as high as symbols" $
+              counterexample "parts are read there if it is as high as symbols" $
                 byHeight === Just (if height then found else composite),
               case rejects of
                 [Reject (l, t, r, b) why] ->
@@ -356,11 +356,11 @@ removedSpec = do
                         ]
                 _ -> counterexample (show rejects) False
             ]
-  it "without a symbol beside it nothing is" $
+  it "nothing is masked without a symbol beside it" $
     forAll (elements things) $ \(thing, value, _, _) ->
       let composite = compositeOf (drawn 0.2 [(thing, value)])
        in maskForeign composite === ForeignMasked composite Nothing []
-  it "a hole of which a dozen pixels lie deep is, a lesser one is noise" $ do
+  it "a hole with a dozen deep pixels is masked, and a smaller one is noise" $ do
     let taken w h = length (maskedRejects (maskForeign (holed (rectangle (24, 14) (w, h)))))
         holed hole = compositeOf (drawn 0.5 [(symbol, 0.4), (hole, -0.5)])
     [taken 1 1, taken 2 2, taken 4 3, taken 5 5] `shouldBe` [0, 0, 1, 1]

@@ -1,5 +1,5 @@
--- | What segmentation is made of, each part against its definition: connected regions, sides,
--- levels, noise, and the steps of the lattice.
+-- | Tests the parts of segmentation, each against its definition: connected regions, sides, levels,
+-- noise, and the steps of the lattice.
 module Test.Touch.Segmentation.PartsByDefinition (spec) where
 
 import Data.Bifunctor (bimap)
@@ -31,7 +31,7 @@ spec = do
   describe "Steps" stepSpec
   describe "Parts" partSpec
 
--- | A field of that size with these pixels marked.
+-- | A field of this size with these pixels marked.
 newtype Marked = Marked (Int, Int, [Bool])
   deriving stock (Show)
 
@@ -44,18 +44,18 @@ instance Arbitrary Marked where
 
 regionSpec :: Spec
 regionSpec = withCases 25 200 $ do
-  it "are what chains of near pixels connect, each pixel in one" $
+  it "are connected by chains of near pixels, and contain each pixel once" $
     property $ \(Marked (w, h, marks)) -> forAll (choose (0, 2)) $ \gap ->
       let pixels = [p | (p, True) <- zip [0 ..] marks]
           near p p' = distance w p p' <= gap + 1
        in sort (map sort (components (plain w h) gap pixels))
             === sort (map sort (connected near pixels))
-  it "grow by what is near" $
+  it "grow by all pixels within a distance" $
     property $ \(Marked (w, h, marks)) -> forAll (choose (0, 3)) $ \far ->
       let pixels = [p | (p, True) <- zip [0 ..] marks]
           wanted = [p | p <- [0 .. w * h - 1], any ((<= far) . distance w p) pixels]
        in around (plain w h) far pixels === wanted
-  it "have the pixels beside them that the field has" $
+  it "have as neighbours the adjacent pixels within the field" $
     property $ \(Marked (w, h, _)) -> forAll ((,) <$> choose (-4, 4) <*> choose (-4, 4)) $
       \(i, j) ->
         [beside (plain w h) p (i, j) | p <- [0 .. w * h - 1]]
@@ -81,7 +81,7 @@ regionSpec = withCases 25 200 $ do
             else
               near' (maximum along - minimum along + 1) (extentAlong (plain w h) pixels angle)
                 .&&. regionBox (plain w h) pixels === box
-  it "are of pixels that are means of the touched ones around them, near ones with more weight" $
+  it "are smoothed to means of the touched pixels around each, near ones with more weight" $
     forAll (genComposite (0, 6)) $ \composite ->
       let (w, h) = sizeOf composite
           touched x y = maybe False (>= leastCoverage) (index (compositeCoverage composite) x y)
@@ -110,7 +110,7 @@ regionSpec = withCases 25 200 $ do
     cosine angle = cos (angle * pi / 180)
     sine angle = sin (angle * pi / 180)
 
--- | The classes of what chains of pairs connect.
+-- | The classes connected by chains of pairs.
 connected :: (a -> a -> Bool) -> [a] -> [[a]]
 connected near = foldr add []
   where
@@ -161,7 +161,7 @@ sideSpec = do
                 .&&. near' to (sidePlace right)
                 .&&. (sideOpen left, sideOpen right) === (False, False)
             Nothing -> property False
-  it "are open where the pixel beyond one of the symbol's was not touched" $
+  it "are open if the pixel beyond one of the symbol's was not touched" $
     forAll ((,) <$> choose (8, 20) <*> choose (4, 16)) $ \(x0, y0) ->
       let inBox x y = x `elem` [10 .. 17] && y `elem` [5 .. 14]
           embossed = generate 30 30 (\x y -> if inBox x y then 1 else 0)
@@ -174,18 +174,18 @@ sideSpec = do
           besides i j = any (\(x, y) -> beyond (x + i, y + j)) places
        in opens (horizontalExtent pixels 0.5 region) === [(besides (-1) 0, besides 1 0)]
             .&&. opens (verticalExtent pixels 0.5 region) === [(besides 0 (-1), besides 0 1)]
-  it "of what is turned over are those of the other direction" $
+  it "of a transposed image are those of the other direction" $
     forAll (vectorOf 40 ((,) <$> choose (0, 8) <*> choose (0, 8))) $ \places ->
       forAll (genRasterOf 9 9) $ \image ->
         let over = generate 9 9 (\x y -> fromMaybe 0 (index image y x))
             extentOf measured picture = measured (masked (compositeOf picture)) 0.5
          in extentOf verticalExtent image [9 * y + x | (x, y) <- places]
               === extentOf horizontalExtent over [9 * x + y | (x, y) <- places]
-  it "are none of no pixels" $
+  it "do not exist without pixels" $
     (horizontalExtent (plain 9 9) 0.5 [], verticalExtent (plain 9 9) 0.5 [])
       `shouldBe` (Nothing, Nothing)
 
--- | Of whole numbers from 0 to 511 and one 512 each has a bin of its own but for the last two.
+-- | For whole numbers from 0 to 511 and one 512, each has its own bin except for the last two.
 levelSpec :: Spec
 levelSpec = do
   withCases 40 100 . it "are the medians on both sides of Otsu's threshold" $
@@ -212,7 +212,7 @@ levelSpec = do
           close (a, b) (Levels low high) = abs (a - low) < 1e-9 && abs (b - high) < 1e-9
           medians = maybe False (\l -> any (`close` l) candidates) found
        in counterexample (show (candidates, found)) medians
-  it "are none where all is alike, or nothing, or too little for the noise or for 8 bits" $ do
+  it "do not exist for equal or no values, or with too little contrast for noise or 8 bits" $ do
     let two noise high =
           levels
             (leastContrast (1 / 255) noise)
@@ -238,9 +238,9 @@ levelSpec = do
       light <- listOf1 (choose (middle + 50, 512))
       pure (0 : 512 : dark ++ light)
     count = fromIntegral . sum :: [Int] -> Double
-    -- Of the first so many, from none on.
+    -- Of the first ones, from none on.
     sums = map fromIntegral . scanl (+) 0 :: [Int] -> [Double]
-    -- Where half of a part lies below, within its bin as if it were spread evenly.
+    -- The place with half of a part below, as if the part were spread evenly within its bin.
     medianOf from part =
       head'
         [ from + i + (count part / 2 - below) / fromIntegral c
@@ -252,7 +252,7 @@ levelSpec = do
 
 noiseSpec :: Spec
 noiseSpec = do
-  it "is the median size, by 0.6745 and the root of 6, to a 512th of the largest" $
+  it "is the median size over 0.6745 and the root of 6, to a 512th of the largest" $
     forAll (listOf1 (choose (-1, 1))) $ \some ->
       let sizes = sort (map abs some)
           largest = maximum sizes
@@ -262,14 +262,14 @@ noiseSpec = do
        in counterexample (show (lower, found, upper)) $
             found >= lower - largest / 512 && found <= upper + largest / 512
               && abs (noiseFrom (V.fromList some) * 0.6745 * sqrt 6 - found) < 1e-9
-  it "of nothing is none" $ (medianSize V.empty, noiseFrom V.empty) `shouldBe` (0, 0)
-  it "is that of the rows or of the columns, whichever is larger, where all three were touched" $
+  it "is 0 without values" $ (medianSize V.empty, noiseFrom V.empty) `shouldBe` (0, 0)
+  it "is the larger one of rows and columns, where all three pixels were touched" $
     forAll ((,) <$> choose (0, 0.01) <*> choose (0, 0.01)) $ \(a, b) ->
       -- Second differences of 2 a along the rows and of 2 b along the columns.
       let value x y = a * fromIntegral (x * x) + b * fromIntegral (y * y)
           image = generate 9 8 value
           whole = masked (composed image (constant 9 8 1))
-          -- What was not touched says nothing, whatever stands there.
+          -- Untouched pixels are ignored, whatever their values.
           untouched x y = (x, y) `elem` [(4, 4), (0, 7), (8, 0)]
           spoilt = generate 9 8 (\x y -> if untouched x y then 100 else value x y)
           coverage = generate 9 8 (\x y -> if untouched x y then 0 else 1)
@@ -278,11 +278,11 @@ noiseSpec = do
           close came =
             counterexample (show (wanted, came)) (abs (came - wanted) <= wanted / 500 + 1e-9)
        in close (pixelNoise whole) .&&. close (pixelNoise part)
-  it "is what the weights of a mean leave: the root of the sum of their squares" $ do
+  it "is reduced by a weighted mean to the root of the sum of its squared weights" $ do
     let weights = [k * k' / 16 | k <- [1, 2, 1], k' <- [1, 2, 1]]
     smoothing `shouldBe` sqrt (sum (map (^ (2 :: Int)) weights))
 
--- | A symbol at that place and with that axis.
+-- | A symbol at this place and with this axis.
 symbolAt :: (Double, Double) -> Double -> SymbolImage
 symbolAt place axis =
   SymbolImage
@@ -307,11 +307,11 @@ stepSpec = do
               lies = max (abs along) (abs across) <= 4
            in neighbour (symbolAt (100, 50) axis) (symbolAt there axis)
                 === (if lies then Just cell else Nothing)
-  it "are none where one symbol's axis does not see it so" $
+  it "do not exist if they fail along one symbol's axis" $
     forAll (choose (-90, 90)) $ \axis ->
       neighbour (symbolAt (0, 0) 0) (symbolAt (columnPitch, 0) axis)
         === (if columnPitch * abs (sin (axis * pi / 180)) <= 4 then Just (0, 1) else Nothing)
-  it "looked at upside down are counted from the other end" $
+  it "are counted from the other end upside down" $
     property $ \cells ->
       let there = Map.fromList [((abs i, abs j), k) | ((i, j), k) <- cells] :: Map.Map Cell Int
           (bottom, right') = (most (map fst (Map.keys there)), most (map snd (Map.keys there)))
@@ -326,7 +326,7 @@ stepSpec = do
 partSpec :: Spec
 partSpec =
   withCases 25 200
-    . it "are the pixels of the box as shares of the contrast, where they were touched"
+    . it "are the touched pixels of the box, as shares of the contrast"
     $ forAll ((,) <$> genRasterOf 14 17 <*> genRasterOf 14 17) $ \(image, dice) ->
       forAll ((,) <$> choose (-7, 13) <*> choose (-11, 16)) $ \(left, top) ->
         let touched = mapRaster (\v -> if v < 0.5 then 1 else 0) dice

@@ -1,6 +1,6 @@
 {-# LANGUAGE OverloadedStrings #-}
 
--- | Segmentation at any angle, and beside what is none of the symbols'.
+-- | Tests segmentation at any angle, and beside foreign things.
 module Test.Touch.Segmentation.ScenesAtAnyAngle (spec) where
 
 import Data.Aeson (Value (..))
@@ -33,7 +33,7 @@ import Test.Touch.Sensor.MeanHeights (embossing)
 spec :: Spec
 spec = do
   describe "at any angle" anyAngle
-  describe "beside what is foreign" besideForeign
+  describe "beside foreign things" besideForeign
   describe "the command segment" commandSpec
 
 -- | A part of the paper's array in a composite of 'wide' x 'high' pixels: the array's cell that the
@@ -41,7 +41,7 @@ spec = do
 -- middle lies from the composite's, in taxels along the symbols' axes.
 data Scene = Scene (Int, Int) Double (Double, Double)
 
--- | The scene of a number.
+-- | The scene with this number.
 sceneOf :: Int -> Double -> Scene
 sceneOf k angle =
   Scene
@@ -67,8 +67,7 @@ centres scene@(Scene (r, c) _ _) =
       j <- [-4 .. 4]
   ]
 
--- | Where a place lies in the composite that is so many taxels from the scene's cell, along its
--- axes.
+-- | The place in the composite that is this many taxels from the scene's cell, along its axes.
 place :: Scene -> (Double, Double) -> (Double, Double)
 place (Scene _ angle (ox, oy)) (u, v) =
   (fromIntegral (wide - 1) / 2 + c * x - s * y, fromIntegral (high - 1) / 2 + s * x + c * y)
@@ -76,7 +75,7 @@ place (Scene _ angle (ox, oy)) (u, v) =
     (x, y) = (u + ox, v + oy)
     (c, s) = (cos (angle * pi / 180), sin (angle * pi / 180))
 
--- | Does a symbol's whole box lie in the composite?
+-- | Whether a symbol's whole box lies in the composite.
 whole :: Scene -> (Double, Double) -> Bool
 whole (Scene _ angle _) (x, y) =
   and
@@ -88,8 +87,8 @@ whole (Scene _ angle _) (x, y) =
     inside t size = t >= 0 && t <= fromIntegral size - 1
     (c, s) = (cos (angle * pi / 180), sin (angle * pi / 180))
 
--- | The composite of a scene: background 0.2, embossing 0.6, and over it what a function has at a
--- place, each pixel the mean of 16 points of it; with noise of that standard deviation.
+-- | The composite of a scene: background 0.2, embossing 0.6, and over it the values of a function,
+-- each pixel the mean of 16 points; with noise of this standard deviation.
 drawnWith :: Int -> Double -> ((Double, Double) -> Maybe Double) -> Scene -> Composite
 drawnWith seed sd foreign' (Scene (r, c) angle (ox, oy)) =
   compositeOf (generate wide high (\x y -> clip (pixel x y + sd * noiseAt x y)))
@@ -120,14 +119,14 @@ shapesByCode = Map.fromList (zip [0 ..] embossing)
 apart :: (Double, Double) -> (Double, Double) -> Double
 apart (x, y) (x', y') = sqrt ((x - x') ^ (2 :: Int) + (y - y') ^ (2 :: Int))
 
--- | What recognition sees of a composite before it asks the array.
+-- | The features that recognition uses before it asks the array.
 shownBy :: Composite -> IO Features
 shownBy composite =
   either (fail . show) (either (fail . show) pure . (`features` composite)) (shippedReader 4)
 
 anyAngle :: Spec
 anyAngle = do
-  it "symbols are where they are, and their axes and neighbours as they lie" $
+  it "symbols are found in place, with their axes and neighbours" $
     for_ scenes $ \(k, scene@(Scene _ angle _)) -> do
       seen <- featuresSymbols <$> shownBy (drawnWith k 0.05 (const Nothing) scene)
       let true = map snd (centres scene)
@@ -144,7 +143,7 @@ anyAngle = do
           let target = featuredAt s `plus` there
               found = [featuredAt o | o <- seen, apart target (featuredAt o) < 2]
           (k, fmap (plus (featuredAt s)) given) `shouldSatisfy` agrees found . snd
-  it "the skew is from -45 up to but not including 45, and right up to quarter turns" $
+  it "the skew lies in [-45, 45), and is right up to quarter turns" $
     for_ ((,) <$> byEffort [1] [1, 2] <*> ([-46, -45.4 .. -44] ++ [44, 44.6 .. 46])) $
       \(k, angle) ->
         case skew [drawnWith k 0.05 (const Nothing) (sceneOf k angle)] of
@@ -152,13 +151,13 @@ anyAngle = do
             (k, angle, found) `shouldSatisfy` (\(_, _, t) -> t >= -45 && t < 45)
             (k, angle, upToQuarters found angle) `shouldSatisfy` (\(_, _, t) -> t < 1)
           Nothing -> expectationFailure (show (k, angle))
-  it "the skews of two scenes together are each one's, before any other" $
+  it "the skews of two scenes together are those of each, before any other" $
     for_ ((,) <$> byEffort [3] [1 .. 6] <*> [-40, -20 .. 40]) $ \(k, angle) -> do
       let own = [angle, angle + 30]
           found = take 2 (skews [drawnWith k 0.05 (const Nothing) (sceneOf k a) | a <- own])
       (k, angle, found)
         `shouldSatisfy` (\(_, _, ts) -> and [any ((< 1) . upToQuarters a) ts | a <- own])
-  it "what is not whole beside them is told as a part, with the share that is seen" $
+  it "incomplete symbols are reported as parts, with the visible share" $
     for_ scenes $ \(k, scene) -> do
       segmented <- shownBy (drawnWith k 0.05 (const Nothing) scene)
       for_ (featuresParts segmented) $ \part -> do
@@ -174,7 +173,7 @@ anyAngle = do
         | k <- byEffort [2, 7, 12] [1 .. 12]
       ]
     plus (x, y) (x', y') = (x + x', y + y')
-    -- How far two angles are apart, but for quarter turns.
+    -- The difference between two angles, up to quarter turns.
     upToQuarters a b = let t = (a - b) / 90 in 90 * abs (t - fromIntegral (round t :: Int))
     directions axis beside =
       [ (neighbourRight beside, along 16 0),
@@ -187,13 +186,13 @@ anyAngle = do
           ( cos (axis * pi / 180) * u - sin (axis * pi / 180) * v,
             sin (axis * pi / 180) * u + cos (axis * pi / 180) * v
           )
-    -- Just where a symbol was found there, and then that one.
+    -- Only if a symbol was found there, and then that symbol.
     agrees found given = case given of
       Nothing -> null found
       Just at -> any ((< 1e-6) . apart at) found
 
--- | What lies on a scene: its name, the height at places in pixels where it is, the distance from
--- it, and why it is rejected.
+-- | A thing on a scene: its name, its height at places in pixels, the distance from it, and the
+-- reason for rejecting it.
 data Thing
   = Thing
       String
@@ -226,7 +225,7 @@ things =
 besideForeign :: Spec
 besideForeign = do
   for_ things $ \(Thing name foreign' distance cause) ->
-    it (name ++ " is no symbol, and costs none that is two taxels from it") $
+    it (name ++ " is no symbol, and hides none that is two taxels from it") $
       for_ scenes $ \(k, scene) -> do
         let composite = drawnWith k 0.05 foreign' scene
         segmented <- shownBy composite
@@ -241,27 +240,26 @@ besideForeign = do
         (k, [at | at <- clear, all ((> 1) . apart at . featuredAt) seen]) `shouldBe` (k, [])
         [why | Reject _ why <- featuresRejects segmented]
           `shouldSatisfy` (\whys -> maybe True (`elem` whys) cause)
-        -- Whatever else was cut out, recognition does not answer wrongly.
+        -- Whatever else was masked, recognition does not answer wrongly.
         case canonicalRecogniser of
           Left e -> expectationFailure (show e)
           Right reader -> do
             recognition <-
               either (fail . show) pure (decodeComposites standardTolerance reader [composite])
             (k, misplaced scene recognition) `shouldBe` (k, [])
-  it "what is foreign does not depend on the sensor's gain and offset" $
+  it "foreign regions do not depend on the sensor's gain and offset" $
     for_ aFew $ \(Thing name foreign' _ _) -> for_ (take 2 scenes) $ \(k, scene) -> do
       let composite = drawnWith k 0.03 foreign' scene
           image = mapRaster (\v -> 0.35 + 0.5 * v) (compositeImage composite)
           dimmed = composite {compositeImage = image}
           taken c = (compositeCoverage (maskedComposite c), maskedRejects c)
-      (name, k, taken (maskForeign dimmed) == taken (maskForeign composite))
-        `shouldBe` (name, k, True)
-  it "a composite without it stays as it is" $
+      (name, k, taken (maskForeign dimmed) == taken (maskForeign composite)) `shouldBe` (name, k, True)
+  it "a composite without foreign things is unchanged" $
     for_ scenes $ \(k, scene) -> do
       let composite = drawnWith k 0.05 (const Nothing) scene
       maskForeign composite `shouldBe` ForeignMasked composite Nothing []
   where
-    -- One that stands beside the symbols, and one that is sunk.
+    -- One that stands beside the symbols, and one that is sunken.
     aFew = byEffort (take 2 (drop 2 things)) things
     scenes =
       [ (k, sceneOf k (if even k then 37 * fromIntegral k else 180))
@@ -292,7 +290,7 @@ commandSpec = do
           _ -> []
     length (places found) `shouldSatisfy` (>= 4)
     places found `shouldBe` places answer
-  it "says so in words, and where there is nothing" $
+  it "describes symbols in words, and a blank composite, too" $
     inFolder $ \folder -> do
       (0, out, "") <- praAlone ["segment", worked]
       out `shouldSatisfy` ("symbol at" `isInfixOf`)

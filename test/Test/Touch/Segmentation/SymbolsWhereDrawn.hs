@@ -1,6 +1,6 @@
 {-# OPTIONS_GHC -O1 #-}
 
--- | Segmentation, and the arrangement of symbols on their lattice.
+-- | Tests segmentation, and the arrangement of symbols on their lattice.
 module Test.Touch.Segmentation.SymbolsWhereDrawn (spec) where
 
 import qualified Data.Map.Strict as Map
@@ -26,11 +26,11 @@ spec :: Spec
 spec = do
   describe "Blank composites" blanks
   describe "One symbol" one
-  describe "What is no complete symbol" rejected
+  describe "Incomplete symbols" rejected
   describe "Whole presses" presses
   describe "The lattice" lattice
 
--- | A composite of that size, its pixels clipped after noise of that standard deviation was added.
+-- | A composite of this size, its pixels clipped after noise of this standard deviation was added.
 noisy :: Int -> Double -> Raster -> Composite
 noisy seed sd image =
   compositeOf
@@ -41,7 +41,7 @@ noisy seed sd image =
     value x y = fromMaybe 0 (index image x y)
     (noise, _) = normals (w * h) (mkStdGen seed)
 
--- | An image of that size with a bitmap embossed at a real place (of its upper left pixel's
+-- | An image of this size with a bitmap embossed at a real place (of its upper left pixel's
 -- centre): each pixel the mean over its square.
 embossedAt :: Int -> Int -> [((Double, Double), Raster)] -> Raster
 embossedAt w h bitmaps =
@@ -50,8 +50,8 @@ embossedAt w h bitmaps =
     h
     (\x y -> sum [share b (fromIntegral x - px) (fromIntegral y - py) | ((px, py), b) <- bitmaps])
   where
-    -- The mean over a unit square of what is constant on unit squares: bilinear between them, 0
-    -- outside.
+    -- The mean over a unit square of a function that is constant on unit squares: bilinear between
+    -- them, 0 outside.
     share b x y =
       sum
         [ wx * wy * fromMaybe 0 (index b (floor x + i) (floor y + j))
@@ -68,12 +68,12 @@ blanks = do
   it "hold no symbol, whatever their level" $
     [segmentedSymbols (segment (compositeOf (constant 40 52 v))) | v <- [0, 0.3, 1]]
       `shouldBe` [[], [], []]
-  it "hold no symbol and nothing embossed when they are noise alone" $
+  it "hold no symbol and nothing embossed if they are noise alone" $
     forAll
       ((,,) <$> choose (1, 100000) <*> choose (0.01, 0.3) <*> elements [0, 0.3, 0.5])
       $ \(seed, sd, level) ->
         segment (noisy seed sd (constant 40 52 level)) === Segmentation [] [] 0 0
-  it "hold no symbol when there is nothing to them" $
+  it "hold no symbol if they have no pixels" $
     map (segment . compositeOf) [constant 0 0 1, constant 1 1 1, constant 0 5 0]
       `shouldBe` replicate 3 (Segmentation [] [] 0 0)
 
@@ -124,7 +124,7 @@ one = do
   where
     near (x, y) (x', y') =
       counterexample (show ((x, y), (x', y'))) (abs (x - x') < 0.02 && abs (y - y') < 0.02)
-    -- The levels are known to a 512th of the composite's range.
+    -- The levels are accurate to a 512th of the composite's range.
     closeTo a b =
       counterexample
         (show (toRows a))
@@ -135,7 +135,7 @@ one = do
         )
     genPlace = (,) <$> choose (2, 20) <*> choose (2, 26)
 
--- | The one symbol of a composite, if it holds one and nothing else.
+-- | The one symbol of a composite, if it has one and nothing else.
 alone :: Testable t => Composite -> (SymbolImage -> t) -> Property
 alone composite check = case segment composite of
   Segmentation [symbol] [] _ _ -> property (check symbol)
@@ -153,7 +153,7 @@ rejected = do
         | bitmap <- solid : embossing
       ]
   withCases 10 100
-    . it "a symbol is found where it is while a row at its edge or half a column was not touched"
+    . it "a symbol is found while only a row at its edge or half a column was not touched"
     $ conjoin
       [ forAll ((,) <$> choose (0, 0.5) <*> choose (0, 0.9)) $ \(columns, rows') ->
           conjoin
@@ -171,7 +171,7 @@ rejected = do
         | bitmap <- embossing
       ]
   withCases 10 100
-    . it "one of which less than nine tenths was touched is cut off, though its box fits"
+    . it "a symbol of which less than nine tenths was touched is cut off, though its box fits"
     $ conjoin
       [ forAll (choose (0.7, 1.5)) $ \cut ->
           conjoin
@@ -185,7 +185,7 @@ rejected = do
       forAll (elements [identity, turned 2, mirror, mirror <> turned 2]) $ \side ->
         forAll arbitrary $ \across ->
           let whole = compositeOf (embossedAt 40 52 [((15, 20), solid)])
-              -- From one edge, as far as that into the symbol.
+              -- From one edge, to this depth into the symbol.
               touched x y =
                 (if across then fromIntegral x - 15 else fromIntegral y - 20)
                   >= cut - (0.5 :: Double)
@@ -195,12 +195,12 @@ rejected = do
                       generate 40 52 (\x y -> if touched x y then 1 else 0)
                   }
            in causes (segment (onComposite side seen)) === ([], [CutOff])
-  it "what is not of a symbol's size is called so" $
+  it "a region of another size than a symbol's is reported as that" $
     [ causes (segment (compositeOf (embossedAt 40 52 [((14, 20), constant w h 1)])))
       | (w, h) <- [(4, 4), (8, 8), (12, 12), (8, 16), (12, 8), (8, 10), (6, 12)]
     ]
       `shouldBe` replicate 7 ([], [WrongSize])
-  it "up to three bright pixels are nothing, four are of no symbol's size" $
+  it "up to three bright pixels are nothing, and four have the wrong size" $
     [ causes (segment (compositeOf (embossedAt 40 52 [((14, 20), solid), ((30, 5), few)])))
       | (w, h) <- [(1, 1), (1, 2), (3, 1), (1, 3), (2, 2), (4, 1)],
         let few = constant w h 1
@@ -220,9 +220,9 @@ rejected = do
 
 presses :: Spec
 presses =
-  -- Fixed seeds: one press in a thousand or so is refused, and a test must not be red by chance.
-  -- Symbols on both sides of a gap in which nothing overlaps are tied by the robot's positions
-  -- alone, hence the three taxels.
+  -- Fixed seeds: one press in a thousand or so is refused, and a test must not fail by chance. Only
+  -- the robot's positions connect symbols on both sides of a gap without overlaps, hence the three
+  -- taxels.
   it "with noise and position errors, all symbols of a scan are found within 3 taxels" $
     conjoin $
       flip
@@ -284,7 +284,7 @@ lattice = do
                          [((0, 1), at (16, 0)), ((1, 1), at (16, 20)), ((1, 0), at (0, 20))]
                      )
                  ]
-  it "symbols that no neighbours connect stay in clusters of their own" $
+  it "symbols without connecting neighbours stay in clusters of their own" $
     arrange id [at (0, 0), at (16, 0), at (48, 0), at (0, 60)]
       `shouldBe` [ Cluster (Map.fromList [((0, 0), at (0, 0)), ((0, 1), at (16, 0))]),
                    Cluster (Map.fromList [((0, 0), at (48, 0))]),
@@ -311,7 +311,7 @@ lattice = do
             (c, s) = (cos (angle * pi / 180), sin (angle * pi / 180))
             there = (c * right' - s * down, s * right' + c * down)
             two = Map.fromList [((0, 0), slanted (0, 0)), (cell, slanted there)]
-            -- A symbol that lies a pitch off along the composite's axes, by its own.
+            -- A symbol that lies a pitch off along the composite's axes, not along its own.
             (x, y) = (c * right' + s * down, c * down - s * right')
             beside (a, b) = abs (x - a) <= 4 && abs (y - b) <= 4
             isBeside = any beside [(16, 0), (-16, 0), (0, 20), (0, -20)]
@@ -319,7 +319,7 @@ lattice = do
               .&&. length (arrange id [slanted (0, 0), slanted (right', down)])
               === (if isBeside then 1 else 2)
   it "no symbols make no cluster" $ arrange id [] `shouldBe` []
-  it "half turned, each cell lies as far from the last row and column as from the first before" $
+  it "after a half turn each cell is as far from the last row and column as before from the first" $
     let place = (,) <$> choose (0, 5) <*> choose (0, 5)
      in forAll (Map.fromList <$> listOf1 ((,) <$> place <*> letter)) $ \cells ->
           let bottom = maximum (map fst (Map.keys cells))

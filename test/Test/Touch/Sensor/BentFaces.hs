@@ -1,7 +1,7 @@
 {-# OPTIONS_GHC -O1 #-}
 
--- | Faces that are wrapped on a cylinder, under a flat sensor: by the circle's area, by its length
--- along a chain of chords, and by what must be the same.
+-- | Tests faces that are bent round a cylinder under a flat sensor: by the circle's area, by its
+-- length along a chain of chords, and by symmetries.
 module Test.Touch.Sensor.BentFaces (spec) where
 
 import Data.Foldable (for_)
@@ -19,7 +19,7 @@ import Test.Touch.Sensor.MeanHeights (texture)
 
 spec :: Spec
 spec = do
-  it "a plain face lies lower under an aperture by what the circle's area leaves" $
+  it "a plain face is lower under an aperture by the area that the circle leaves" $
     forAll ((,) <$> choose (18, 500) <*> elements [minBound ..]) $ \(radius, axis) ->
       let sensor = idealSensor {sensorFullScale = 100}
           plain = bent radius axis (heightMap 1 (constant 200 200 50))
@@ -31,7 +31,7 @@ spec = do
           wanted i j = (50 - low (if axis == AboutY then i else j)) / 100
        in within 2e-4 (forwardImage sensor plain (Pose 100 100 0)) (generate 16 16 wanted)
   withCases 6 100
-    . it "an element has under it what is as far along the circle as a chain of chords is long"
+    . it "an element has the relief at its distance along the circle under it, by a chain of chords"
     $ forAll ((,) <$> choose (18, 200) <*> anyTurn) $ \(radius, turn) ->
       let sensor = idealSensor {sensorColumns = 3, sensorRows = 14, sensorFullScale = 100}
           seen = forwardImage sensor (bent radius AboutY ramp) (Pose 20 15 turn)
@@ -47,14 +47,14 @@ spec = do
               ]
           place n k part = taxelPitch * (fromIntegral (k :: Int) + part - n / 2)
        in within 3e-4 seen (generate 3 14 (\i j -> under i j / 100))
-  it "the larger the radius, the flatter: by the bounds of the formulas" $
+  it "the larger the radius, the flatter, within the bounds of the formulas" $
     forAll ((,) <$> choose (2, 7 :: Double) <*> elements [minBound ..]) $ \(exponent', axis) ->
       forAll ((,,) <$> choose (15, 45) <*> choose (15, 45) <*> elements [0, 90, 180, 270]) $
         \(x, y, turn) ->
           let radius = 10 ** exponent'
               heights = texture 5 40 40
               full = sensorFullScale idealSensor
-              -- Of cells as wide as an aperture, at most three borders move within one.
+              -- If cells are as wide as an aperture, at most three borders move within one.
               most =
                 reach * reach / radius / full
                   + 3 * (pi / 2 - 1) * reach ** 3 / (radius * radius) / taxelPitch
@@ -64,7 +64,7 @@ spec = do
                 (most + 1e-9)
                 (forwardImage idealSensor (bent radius axis heights) pose)
                 (forwardImage idealSensor heights pose)
-  it "bending the transposed relief about the one axis is bending the relief about the other" $
+  it "bending the transposed relief about one axis is bending the relief about the other" $
     forAll (elements [idealSensor, presetSensor Real]) $ \sensor ->
       forAll ((,) <$> choose (20, 300) <*> anyTurn) $
         \(radius, turn) ->
@@ -75,7 +75,7 @@ spec = do
                   1e-9
                   (forwardImage sensor (bent radius AboutX transposed) (Pose y x (negate turn)))
                   (turnedOver (forwardImage sensor (bent radius AboutY heights) (Pose x y turn)))
-  it "the sensor lies at its own middle: moved by a period of the relief it reads the same" $
+  it "the sensor touches at its own middle: moved by a period of the relief it reads the same" $
     forAll ((,) <$> elements [minBound ..] <*> elements [idealSensor, presetSensor Real]) $
       \(axis, sensor) ->
         forAll ((,,) <$> choose (20, 90) <*> choose (0, 360) <*> choose (25, 35)) $
@@ -87,7 +87,7 @@ spec = do
                   1e-9
                   (seen (Pose x 40 turn))
                   (seen (Pose (x + 4 * taxelPitch * fromIntegral period) 40 turn))
-  it "a rigid press goes on until tabs that lie lower bear it, too" $
+  it "a rigid press goes on until lower tabs bear it, too" $
     forAll ((,) <$> choose (10, 60) <*> choose (0.01, 3)) $ \(radius, force) ->
       let -- Three tabs, so small that each feels a point, 2 mm apart.
           under =
@@ -102,7 +102,7 @@ spec = do
           pressed' = displacements stiffness force (0, 0) under
        in counterexample (show (wanted, toRows pressed')) $
             and (zipWith (\a b -> abs (a - b) < 1e-6) wanted (concat (toRows pressed')))
-  it "the least radius is how far points of elements are from the middle, at most" $
+  it "the least radius is the greatest distance of an element's points from the middle" $
     for_ [standardSensor, presetSensor Real, standardSensor {sensorColumns = 5}] $ \sensor -> do
       let points =
             [ sqrt (u * u + v * v)
@@ -120,7 +120,8 @@ spec = do
           centre n k one = sensorTaxel one * (fromIntegral k - (fromIntegral n - 1) / 2)
       abs (leastRadius sensor - maximum points) `shouldSatisfy` (< 1e-3)
 
--- | Rises by 1 mm a millimetre of arc, from 50 under the middle of a sensor at (20, 15).
+-- | A ramp that rises by 1 mm for each millimetre of arc, from 50 under the middle of a sensor at
+-- (20, 15).
 ramp :: HeightMap
 ramp = heightMap cell (generate 800 600 (\x _ -> cell * (fromIntegral x + 0.5) + 30))
   where
@@ -132,7 +133,7 @@ anyTurn = oneof [elements [0, 90, 180, 270], choose (0, 360)]
 bent :: Double -> BendAxis -> HeightMap -> HeightMap
 bent radius axis heights = heights {heightBend = Just (Bend radius axis)}
 
--- | How long the circle is from its top to u, along a chain of chords.
+-- | The length of the circle from its top to u, along a chain of chords.
 along :: Double -> Double -> Double
 along radius u = signum u * sum (zipWith apart points (drop 1 points))
   where
@@ -147,7 +148,7 @@ along radius u = signum u * sum (zipWith apart points (drop 1 points))
 mean' :: [Double] -> Double
 mean' values = sum values / genericLength values
 
--- | Rows as columns.
+-- | The heights with rows and columns exchanged.
 turnedOver :: Raster -> Raster
 turnedOver image = generate (rasterHeight image) (rasterWidth image) (flip (at image))
 

@@ -1,4 +1,4 @@
--- | Calibration, and frames of any size and pitch.
+-- | Tests calibration, and frames of any size and pitch.
 module Test.Touch.Sensor.CalibrationUndoesGains (spec) where
 
 import Control.Exception (evaluate)
@@ -33,7 +33,7 @@ spec = do
 at :: Raster -> Int -> Int -> Double
 at image x y = fromMaybe (0 / 0) (index image x y)
 
--- | Between the greatest and the least value.
+-- | The difference of the greatest and the least value.
 spread :: Raster -> Double
 spread image = fromMaybe 0 (maximumValue image) - fromMaybe 0 (minimumValue image)
 
@@ -65,14 +65,14 @@ calibrating = do
                       (traverse (corrected found) (flatFrames sensor specimen 1 (mkStdGen 2)))
                       $ all ((< 1e-9) . spread . frameImage)
                   ]
-  it "offsets are taken away" $ do
+  it "offsets are subtracted" $ do
     let dark = generate 5 4 (\x y -> 0.01 * fromIntegral (x + y))
         lit = mapRaster (+ 0.5) dark
     found <- right (calibrate [dark] [lit])
     frame <- right (corrected found (Frame (Pose 0 0 0) 0 (mapRaster (+ 0.25) dark) 1 []))
     V.maximum (V.map (abs . subtract 0.25) (rasterValues (frameImage frame)))
       `shouldSatisfy` (< 1e-12)
-  it "dead is what rises less than a quarter of the median, or lies above a half in the dark" $ do
+  it "an element is dead if it rises below a quarter of the median, or is bright in the dark" $ do
     let rise x = [0.4, 0.1001, 0.0999, 0.4, 0.4] !! x
         dark x = [0, 0, 0, 0.4999, 0.5001] !! x
     found <-
@@ -82,20 +82,20 @@ calibrating = do
             [generate 5 1 (\x _ -> dark x + rise x)]
         )
     calibrationDead found `shouldBe` [(0, 2), (0, 4)]
-  it "any element may be dead, and others are not for that" $
+  it "any element may be dead, without others becoming dead" $
     for_ [(y, x) | y <- [0 .. 3], x <- [0 .. 4]] $ \place -> do
       let dark = constant 5 4 0.1
           lit = generate 5 4 (\x y -> if (y, x) == place then 0.15 else 0.5)
       found <- right (calibrate [dark, dark] [lit, lit, lit])
       calibrationDead found `shouldBe` [place]
-  it "what felt nothing stays that beside dead elements, and keeps its reading" $ do
+  it "an element that felt nothing stays dead besides those found, and keeps its reading" $ do
     let dead = [(2, 3), (0, 0), (0, 1), (1, 0), (1, 1)]
         plain = Calibration (constant 6 5 0) (constant 6 5 1) dead
         image = generate 6 5 (\x y -> 0.02 * fromIntegral x + 0.05 * fromIntegral y)
     frame <- right (corrected plain (Frame (Pose 0 0 0) 0 image 1 [(4, 5), (0, 1)]))
     at (frameImage frame) 5 4 `shouldBe` at image 5 4
     sort (frameDead frame) `shouldBe` sort ((4, 5) : dead)
-  it "a dead element reads the mean of the nearest living ones, of all 4096 sets of 4 x 3" $
+  it "a dead element reads the mean of its nearest living ones, for all 4096 sets of 4 x 3" $
     for_ (subsequences [(y, x) | y <- [0 .. 2], x <- [0 .. 3]]) $ \dead -> do
       let image = generate 4 3 (\x y -> fromIntegral ((7 * x + 5 * y) `mod` 11) / 11)
           living = [(y, x) | y <- [0 .. 2], x <- [0 .. 3], (y, x) `notElem` dead]
@@ -108,13 +108,13 @@ calibrating = do
       seen <- right (correctedImage (Calibration (constant 4 3 0) (constant 4 3 1) dead) image)
       let wrong = [(x, y) | x <- [0 .. 3], y <- [0 .. 2], abs (at seen x y - expected x y) > 1e-12]
       (dead, wrong) `shouldBe` (dead, [])
-  it "one living element of 256 x 256 is the nearest of all, and soon found" $ do
+  it "a single living element of 256 x 256 is the nearest of all, and soon found" $ do
     let dead = [(y, x) | y <- [0 .. 255], x <- [0 .. 255], (y, x) /= (10, 200)]
         image = generate 256 256 (\x y -> if (y, x) == (10, 200) then 0.625 else 1)
         plain = Calibration (constant 256 256 0) (constant 256 256 1) dead
     seen <- timeout 60000000 (evaluate (correctedImage plain image))
     seen `shouldBe` Just (Right (constant 256 256 0.625))
-  it "what does not calibrate is refused, each for its reason" $ do
+  it "impossible calibrations are refused, each with its reason" $ do
     let flat = constant 4 4 0.5
         dark = constant 4 4 0
     [ calibrate [] [flat],
@@ -133,7 +133,7 @@ calibrating = do
           AllDead,
           AllSaturated
         ]
-  it "an element that is pressed in every frame though the sensor moved is stuck: not felt" $ do
+  it "an element pressed in every frame while the sensor moved is stuck and counts as not felt" $ do
     let lit = [(3, 2), (9, 9)]
         felt k = generate 16 16 $ \x y ->
           if (y, x) `elem` lit then 1 else if (x + 3 * k + y) `mod` 7 < 2 then 0.8 else 0
@@ -149,19 +149,19 @@ calibrating = do
         ("two sizes", Frame (Pose 0 0 0) 0 (constant 4 4 1) 1 [] : moved)
       ]
       $ \(name, frames') -> (name, withoutStuck frames' == frames') `shouldBe` (name, True)
-  it "a file's dead elements are elements of the sensor" $
+  it "a file's dead elements must be elements of the sensor" $
     for_ [(y, x) | y <- [-1, 0, 4, 5], x <- [-1, 0, 3, 4]] $ \(y, x) -> do
       let given = Calibration (constant 4 5 0) (constant 4 5 1) [(2, 2), (y, x)]
           sensible = y `elem` [0, 4] && x `elem` [0, 3]
       either (const Nothing) Just (decodeCalibration (encodeCalibration given))
         `shouldBe` if sensible then Just given else Nothing
-  it "a file's dead elements are each there once" $ do
+  it "a file's dead elements must be distinct" $ do
     let given dead = encodeCalibration (Calibration (constant 4 5 0) (constant 4 5 1) dead)
     decodeCalibration (given [(2, 2), (0, 1), (2, 2)])
       `shouldBe` Left (Misfit [Key (fromString "dead"), Index 2] (GivenTwice "2,2"))
     fmap calibrationDead (decodeCalibration (given [(2, 2), (0, 1)]))
       `shouldBe` Right [(2, 2), (0, 1)]
-  it "a file's gains are positive" $
+  it "a file's gains must be positive" $
     for_ [-1, 0, 0.001] $ \gain -> do
       let given = Calibration (constant 4 5 0) (constant 4 5 gain) []
       either (const Nothing) Just (decodeCalibration (encodeCalibration given))
@@ -175,18 +175,18 @@ calibrating = do
 
 pitches :: Spec
 pitches = do
-  prop "of half the pitch, each new taxel is the mean of the four that it covers" $
+  prop "at half the pitch, each new taxel is the mean of the four that it covers" $
     forAll ((,) <$> choose (0, 3) <*> choose (0, 2)) $ \(i, j) ->
       let image = generate 8 6 (\x y -> fromIntegral ((7 * x + 13 * y) `mod` 11) / 11)
           four = [at image (2 * i + a) (2 * j + b) | a <- [0, 1], b <- [0, 1]]
        in counterexample (show four) (abs (at (resampled 0.5 image) i j - sum four / 4) < 1e-12)
-  prop "what is even stays even, at any ratio, and as many taxels are left as fit" $
+  prop "an even image stays even at any ratio, with as many taxels as fit" $
     forAll ((,,) <$> choose (0.05, 4) <*> choose (4, 40) <*> choose (0, 1)) $ \(ratio, n, v) ->
       let image = resampled ratio (constant n (n + 1) v)
           whole k = max 1 (floor (fromIntegral (k :: Int) * ratio + 1e-9))
        in rasterSize image === (whole n, whole (n + 1))
             .&&. counterexample (show image) (V.all (\u -> abs (u - v) < 1e-9) (rasterValues image))
-  prop "with rows and columns exchanged it is resampled to the same, exchanged" $
+  prop "transposed and resampled equals resampled and transposed" $
     forAll ((,,) <$> oneof [choose (0.05, 1), choose (1, 4)] <*> choose (1, 9) <*> choose (1, 30)) $
       \(ratio, w, h) ->
         let image = generate w h (\x y -> fromIntegral ((7 * x + 13 * y * y) `mod` 11))
@@ -196,7 +196,7 @@ pitches = do
             apart = V.zipWith (\u v -> abs (u - v)) (rasterValues one) (rasterValues other)
          in rasterSize one === rasterSize other
               .&&. counterexample (show (one, other)) (V.all (< 1e-9) apart)
-  prop "a ramp stays one about the same centre, exactly or by areas to 0.15" $
+  prop "a ramp stays a ramp about the same centre, exactly or by areas to 0.15" $
     forAll (choose (0.3, 3)) $ \ratio ->
       let image = resampled ratio (generate 40 40 (\i _ -> fromIntegral i - 19.5))
           w = rasterWidth image
@@ -204,15 +204,15 @@ pitches = do
           expected = (fromIntegral x + 0.5 - fromIntegral w / 2) / ratio
        in counterexample (show (w, at image x 5, expected)) $
             abs (at image x 5 - expected) < (if ratio < 1 then 0.15 else 1e-9)
-  it "of an image narrower than a new pixel one is left, the mean of all" $
+  it "an image narrower than a new pixel becomes one pixel, the mean of all" $
     resampled 0.1 (generate 4 8 (\x y -> fromIntegral (x + 4 * y))) `shouldBe` constant 1 1 15.5
-  it "of an image without pixels nothing is left, at any pitch" $
+  it "an image without pixels stays without pixels, at any pitch" $
     [ rasterSize image
       | (ratio, (w, h)) <- [(0.3, (0, 0)), (1, (0, 5)), (2.5, (5, 0))],
         let image = resampled ratio (constant w h 1)
     ]
       `shouldBe` [(0, 0), (0, 5), (12, 0)]
-  it "a sensor of half the pitch sees the same face: its frames, resampled, are the usual ones" $
+  it "frames of a sensor of half the pitch, resampled, are those of the usual sensor" $
     forAll ((,) <$> choose (2, 16) <*> choose (2, 16)) $ \(w, h) ->
       forAll ((,,) <$> choose (20, 40) <*> choose (20, 40) <*> elements [0, 90, 180, 270]) $
         \(x, y, r) ->
@@ -230,7 +230,7 @@ pitches = do
 
 sizes :: Spec
 sizes = do
-  it "frames of any size are put together, turned ones too" $ do
+  it "frames of any size are placed together, also turned ones" $ do
     let relief = texture 3 60 60
         sensor = idealSensor {sensorColumns = 10, sensorRows = 6}
         pressed x y r =
@@ -250,7 +250,7 @@ sizes = do
               abs (at seen (x - 10) (y - 10) - height x y) > 1e-9
           ]
     wrong `shouldBe` []
-  it "frames below 4 x 4 or above 256 x 256 are refused, and a pitch that is none" $ do
+  it "frames below 4 x 4 or above 256 x 256, and invalid pitches, are refused" $ do
     let frame w h = Frame (Pose 0 0 0) 0 (constant w h 0.5) taxelPitch []
     map
       (either show (const "put together") . placeOnly . pure)

@@ -1,4 +1,4 @@
--- | Each constant of the forward model by itself, against its closed form.
+-- | Tests each constant of the forward model by itself against its closed form.
 module Test.Touch.Sensor.ConstantsByClosedForm (spec) where
 
 import Data.List (genericLength, nub)
@@ -31,27 +31,27 @@ at image x y = fromMaybe (0 / 0) (index image x y)
 near :: Double -> Double -> Double -> Property
 near most a b = counterexample (show (a, b)) (abs (a - b) <= most)
 
--- | A sensor without any error whose readings are proportional to the force on an element.
+-- | A sensor without errors whose readings are proportional to the force on an element.
 linear :: Sensor
 linear = idealSensor {sensorTab = 1.1, sensorStiffness = 0.19, sensorFullForce = 10}
 
 tabs :: Spec
 tabs = do
-  it "of a grid of 4 x 4 a round tab has the twelve points in its circle, a square one all" $ do
+  it "a round tab has the twelve points of a 4 x 4 grid in its circle, a square one all" $ do
     let points = tabPoints 1.5875 1.1
         square = tabPoints 1.5875 0
     (length points, length square) `shouldBe` (12, 16)
     filter (\(x, y) -> x * x + y * y > 0.55 * 0.55) points `shouldBe` []
     abs (sum (map fst points)) + abs (sum (map snd points)) `shouldSatisfy` (< 1e-12)
     maximum (map fst square) - 1.5875 * 0.375 `shouldSatisfy` ((< 1e-12) . abs)
-  it "half of a tab on the face's edge is on the face, and nothing of one beyond" $ do
+  it "a tab on the face's edge has half its share there, and one beyond has none" $ do
     let face = heightMap 0.1 (constant 100 100 0.7)
         under x = footing (TaxelGrid 1 1 1.5875) 1.1 face (Pose x 5 0)
         seen x = (at (footingShare (under x)) 0 0, at (footingHeight (under x)) 0 0)
         gap (a, b) (c, d) = max (abs (a - c)) (abs (b - d))
     maximum (zipWith gap (map seen [5, 0, -5]) [(1, 0.7), (0.5, 0.7), (0, 0)])
       `shouldSatisfy` (< 1e-12)
-  prop "turned, the tabs meet what is at the turned places" $ \seed ->
+  prop "turned tabs meet the face at the turned places" $ \seed ->
     forAll (choose (0, 360)) $ \r ->
       let (i, j) = (seed `mod` 16, (seed `div` 16) `mod` 16 :: Int)
           under = footing standardTaxelGrid 1.1 ramp (Pose 20 20 r)
@@ -67,7 +67,7 @@ rigid = do
   it "10 N on 38 tabs of 0.19 N/mm press 1.4 mm" $
     forceBalance 0.19 10 (replicate 38 (1, 0))
       `shouldSatisfy` maybe False ((< 0.02) . abs . subtract 1.4)
-  it "with nothing under it there is no balance" $
+  it "there is no balance without anything under the tabs" $
     (forceBalance 0.19 10 [], forceBalance 0.19 10 [(0, 1)]) `shouldBe` (Nothing, Nothing)
   prop "the tabs bear the force: the sum of k s max 0 (z + h) is F" $
     forAll ((,) <$> choose (0.01, 5) <*> choose (0.1, 50)) $ \(k, force) ->
@@ -75,7 +75,7 @@ rigid = do
         case forceBalance k force under of
           Nothing -> property False
           Just z -> near (1e-9 * force) (sum [k * s * max 0 (z + h) | (s, h) <- under]) force
-  prop "on a plane that all tabs meet, the displacements are F / (k n) and the tilts" $
+  prop "on a plane under all tabs, the displacements are F / (k n) plus the tilts" $
     forAll ((,) <$> choose (-0.1, 0.1) <*> choose (-0.1, 0.1)) $ \(a, b) ->
       forAll ((,) <$> choose (1, 16) <*> choose (1, 16)) $ \(w, h) ->
         let plane = Footing (constant w h 1) (constant w h 0.3)
@@ -87,13 +87,13 @@ rigid = do
                 | i <- [0, w - 1],
                   j <- [0, h - 1]
               ]
-  prop "what the elements read adds up to the force" $
+  prop "the elements' readings add up to the force" $
     forAll ((,,) <$> choose (1, 40) <*> choose (15, 30) <*> choose (15, 30)) $ \(force, x, y) ->
       let relief = heightMap 3 (generate 20 20 (\u v -> if even (u + v) then 1.5875 else 0))
           sensor = linear {sensorForce = force, sensorFullForce = 100}
           seen = forwardImage sensor relief (Pose x y 30)
        in near 1e-6 (100 * V.sum (rasterValues seen)) force
-  it "beyond the face's edge nothing is felt, though a plane would be" $ do
+  it "nothing is felt beyond the face's edge, unlike on an endless plane" $ do
     let plane = heightMap 1 (constant 50 50 0)
         seen = forwardImage linear plane (Pose 0 25 0)
     [at seen x 8 > 0 | x <- [0, 7, 8, 15]] `shouldBe` [False, False, True, True]
@@ -108,12 +108,12 @@ spreading = do
           r2 = 1.5875 * 1.5875 * fromIntegral (i * i + j * j :: Int)
        in near 1e-12 (at felt (15 + i) (15 + j) / at felt 15 15) (boussinesq r2 / boussinesq 0)
   withCases 30 100
-    . prop "a point's force adds up to itself, and a load that is even everywhere stays so"
+    . prop "a point's force adds up to itself, and an even load stays even"
     $ forAll (choose (1, 2)) $ \t ->
       let point = generate 41 41 (\x y -> if (x, y) == (20, 20) then 3 else 0)
        in near 1e-9 (V.sum (rasterValues (spreadForces 1.5875 t point))) 3
             .&&. near 1e-9 (at (spreadForces 1.5875 t (constant 41 41 0.2)) 20 20) 0.2
-  prop "what an element feels is the sum over all forces that reach it, at the edges too" $
+  prop "an element feels the sum of all forces that reach it, at the edges too" $
     forAll ((,,,) <$> choose (1, 9) <*> choose (1, 9) <*> choose (0.1, 3) <*> arbitrary) $
       \(w, h, t, seed) ->
         let forces = generate w h (\x y -> fromIntegral ((x * 7 + y * 13 + seed * 3) `mod` 11))
@@ -135,7 +135,7 @@ spreading = do
                 | x <- [0 .. w - 1],
                   y <- [0 .. h - 1]
               ]
-  it "at depth 0 nothing is spread" $
+  it "nothing is spread at depth 0" $
     spreadForces 1.5875 0 (constant 3 3 0.5) `shouldBe` constant 3 3 0.5
 
 readings :: Spec
@@ -179,7 +179,7 @@ readings = do
                      else abs (code - v * top) <= 0.5 + 1e-9
                  )
               && converted 0 zeroed v == v
-  prop "drift: a decade of time later everything is so much more" $
+  prop "drift: after ten times the time the reading is larger by the stated share" $
     forAll ((,) <$> choose (0, 0.05) <*> choose (1, 100)) $ \(d, n) ->
       near 1e-12 (drifted d (10 * n) 0.4 - drifted d n 0.4) (0.4 * d)
   prop "noise: its deviation rises linearly; rows and columns share parts of the variance" $
@@ -202,7 +202,7 @@ readings = do
               near 1e-12 (moved (none 12) (one 3) (none 4) 3 0) (sqrt r * sd 3),
               near 1e-12 (moved (none 12) (none 3) (one 4) 0 2) (sqrt c * sd 0)
             ]
-  it "gains: mean 1 and the stated deviation; as many are dead as stated, and read 0" $ do
+  it "gains: mean 1 and the stated deviation; the stated share is dead, and reads 0" $ do
     let sensor =
           idealSensor
             { sensorColumns = 200,
@@ -232,9 +232,9 @@ scanned sensor relief poses = map frameImage (fst (scan sensor relief stay poses
 
 oneByOne :: Spec
 oneByOne = do
-  it "what nothing varies draws nothing: the specimen of the paper's sensor is flawless" $
+  it "the specimen of the paper's sensor, which does not vary, is flawless" $
     fst (drawSpecimen standardSensor (mkStdGen 4)) `shouldBe` flawless standardSensor
-  it "hysteresis: of a press that touches nothing there is the share of the press before" $ do
+  it "hysteresis: a press on nothing reads the share of the press before" $ do
     let sensor = idealSensor {sensorHysteresis = 0.1}
         face = heightMap taxelPitch (constant 16 16 (0.6 * sensorFullScale sensor))
         here = Pose (8 * taxelPitch) (8 * taxelPitch) 0
@@ -242,7 +242,7 @@ oneByOne = do
     [at image 7 7 | image <- images] `shouldSatisfy` \seen -> case seen of
       [a, b, c] -> maximum [abs (a - 0.6), abs (b - 0.06), abs (c - 0.606)] < 1e-9
       _ -> False
-  it "force: readings go with it, with the stated deviation, within five standard errors" $ do
+  it "force: readings vary with it by the stated deviation, within five standard errors" $ do
     let sensor = linear {sensorForceSpread = 0.15}
         plane = heightMap 5 (constant 20 20 0)
         images = scanned sensor plane (replicate 400 (Pose 50 50 0))
@@ -255,11 +255,11 @@ oneByOne = do
     let sensor = linear {sensorTiltSpread = 0.02}
         plane = heightMap 5 (constant 20 20 0)
         images = scanned sensor plane (replicate 400 (Pose 50 50 0))
-        -- From the outer columns' centres to the middle is 15 / 16 of half the sensor.
+        -- The distance of the outer columns' centres from the middle is 15 / 16 of half the sensor.
         tilts = [(at image 15 8 - at image 0 8) * 10 / 0.19 / 2 * 16 / 15 | image <- images]
         deviation = sqrt (sum (map (^ (2 :: Int)) tilts) / 400)
     abs (deviation - 0.02 * 1.5875) `shouldSatisfy` (< 5 * 0.02 * 1.5875 / sqrt 800)
-  it "rotation error: it has the stated deviation, within five standard errors" $ do
+  it "rotation error: the angle has the stated deviation, within five standard errors" $ do
     let sensor = idealSensor {sensorRotationError = 3, sensorFullScale = 100}
         ramp = heightMap 0.5 (generate 200 200 (\x _ -> (fromIntegral x + 0.5) * 0.5))
         images = scanned sensor ramp (replicate 200 (Pose 50 50 0))
@@ -271,7 +271,7 @@ oneByOne = do
             / pi
         deviation = sqrt (sum [angle image ** 2 | image <- images] / 200)
     abs (deviation - 3) `shouldSatisfy` (< 5 * 3 / sqrt 400)
-  it "the same seed gives the same frames of every preset" $
+  it "one seed gives the same frames of every preset" $
     [ scanned sensor relief poses == scanned sensor relief poses
       | preset <- [minBound ..],
         let sensor = presetSensor preset
@@ -283,10 +283,10 @@ oneByOne = do
 
 presets :: Spec
 presets = do
-  it "the standard sensor is the paper's, and its constants' names are one each" $ do
+  it "the standard sensor is the paper's, and its constants have distinct names" $ do
     presetSensor Paper `shouldBe` standardSensor
     length (nub (map constantName constants)) `shouldBe` length constants
-  it "has a constant for each thing that the model says" $
+  it "the model has a constant for each of its statements" $
     map constantName constants
       `shouldBe` words
         "columns rows taxel_pitch tab_diameter position_error rotation_error force force_spread \
@@ -296,7 +296,7 @@ presets = do
   it "every constant has a unit and a source, or is called an assumption" $
     [constantName c | c <- constants, null (constantUnit c) || length (constantSource c) < 8]
       `shouldBe` []
-  it "each name is that of its field" $ do
+  it "each constant has the name of its field" $ do
     let numbered =
           Sensor
             { sensorColumns = 1,
@@ -327,7 +327,7 @@ presets = do
               sensorColumnNoise = 26
             }
     map snd (constantsOf numbered) `shouldBe` [1 .. 26]
-  it "a constant that is replaced by its own value leaves the sensor as it is" $
+  it "replacing a constant by its own value leaves the sensor unchanged" $
     [ (presetName preset, constantName c)
       | preset <- [minBound ..],
         let sensor = presetSensor preset,
@@ -335,7 +335,7 @@ presets = do
         either (const Nothing) Just (replaced (constantName c) value sensor) /= Just sensor
     ]
       `shouldBe` []
-  it "a constant that is replaced has its new value, and no other is changed" $
+  it "replacing a constant sets its new value, and changes no other" $
     [ (constantName c, constantName d)
       | c <- constants,
         let (least, most) = constantRange c,
@@ -346,14 +346,14 @@ presets = do
         now /= if constantName c == constantName d then value else old
     ]
       `shouldBe` []
-  it "a share is from 0 to 1, of what has two sides or is shared by two to 0.5" $ do
+  it "a share goes from 0 to 1, and one of two sides or shared by two to 0.5" $ do
     let taken name value = either (const False) (const True) (replaced name value standardSensor)
         limits most name =
           (name, map (taken name) [-0.000001, 0, most, most + 0.000001])
     map (limits 1) ["hysteresis", "gain_spread", "drift", "dead_taxels"]
       ++ map (limits 0.5) ["crosstalk", "noise_row", "noise_column"]
       `shouldSatisfy` all ((== [False, True, True, False]) . snd)
-  it "the ranges are promises: what was taken once must be taken later" $
+  it "the ranges are promises: a value that was accepted once must stay accepted" $
     [(constantName c, constantRange c, constantWhole c) | c <- constants]
       `shouldBe` [ ("columns", (4, 256), True),
                    ("rows", (4, 256), True),
@@ -382,7 +382,7 @@ presets = do
                    ("noise_row", (0, 0.5), False),
                    ("noise_column", (0, 0.5), False)
                  ]
-  it "out of its range, or unknown, it is refused" $ do
+  it "a value out of range, or of an unknown constant, is refused" $ do
     let refused = either (maybe "unknown" constantName) (const "taken")
     map
       refused
@@ -393,12 +393,12 @@ presets = do
         replaced "noise" 0 standardSensor
       ]
       `shouldBe` ["columns", "columns", "noise", "unknown", "taken"]
-  it "with half the pitch the tabs are half as wide, and what goes with their area a quarter" $ do
+  it "at half the pitch tabs are half as wide, and constants of their area a quarter" $ do
     let halved = withTaxel (taxelPitch / 2) (presetSensor Real)
         parts f = f halved / f (presetSensor Real)
     map parts [sensorTaxel, sensorTab, sensorStiffness, sensorBreakForce, sensorFullForce]
       `shouldBe` [0.5, 0.5, 0.25, 0.25, 0.25]
-  it "the forces of a whole FSR 400 scaled to the tab: 0.0093 N and 0.93 N" $
+  it "the forces of a whole FSR 400 scaled to the tab are 0.0093 N and 0.93 N" $
     [sensorBreakForce (presetSensor Real), sensorFullForce (presetSensor Real)]
       `shouldSatisfy` \found -> case found of
         [a, b] -> abs (a - 0.0093) < 0.00005 && abs (b - 0.93) < 0.005

@@ -1,7 +1,7 @@
 {-# LANGUAGE OverloadedStrings #-}
 
--- | Manifests against a slow reader of their grammar: lines, fields by RFC 4180 without line
--- breaks, decimal numbers as fractions. It says all that is wrong with a file.
+-- | Tests manifests against a slow reader of their grammar: lines, fields by RFC 4180 without line
+-- breaks, decimal numbers as fractions. That reader lists all faults of a file.
 module Test.Touch.Sensor.ManifestAgainstGrammar (spec) where
 
 import Data.ByteString (ByteString)
@@ -25,7 +25,7 @@ import Test.Support
 spec :: Spec
 spec = do
   withCases 250 2000 $
-    it "a file is read as it is defined, or refused for something that is wrong with it" $
+    it "a file is read by the definition, or refused for one of its faults" $
       property $ \(Pieces pieces) -> readAsDefined defined parseManifest id (B.concat pieces)
   it "a number of 1000 characters is read, and one of 1001 is not, in every column" $
     [ (column, digits, either Left (Right . length) (parseManifest file))
@@ -44,7 +44,7 @@ spec = do
                    | (column, name) <- zip [0 ..] (drop 1 manifestHeader),
                      digits <- [999 .. 1002]
                  ]
-  it "axes: first x before y, and upright before turned; each is what its name says" $ do
+  it "axes are named x before y, and upright before turned; each does what its name says" $ do
     map fst axesNamed
       `shouldBe` ["x,y", "x,-y", "-x,y", "-x,-y", "y,x", "y,-x", "-y,x", "-y,-x"]
     map (axesName . snd) axesNamed `shouldBe` map fst axesNamed
@@ -62,8 +62,8 @@ spec = do
 header :: ByteString
 header = encodeUtf8 (T.intercalate "," manifestHeader)
 
--- | The entries of a file, or all that is wrong with it. The header says how fields are parted, and
--- what each is.
+-- | The entries of a file, or all of its faults. The header determines the separator, and the
+-- meaning of each field.
 defined :: ByteString -> Either [ManifestError] [Entry]
 defined file
   | Just encoding <- otherEncoding file = Left [ManifestInEncoding encoding]
@@ -102,7 +102,7 @@ entryOf mark names i line = case fieldsOf mark line of
     | otherwise -> do
       let given name = lookup name (zip names fields)
           file = either (const Nothing) (Just . T.unpack) . decodeUtf8' =<< given "file"
-          -- A force may be left out of its field.
+          -- A force may be missing from its field.
           isNumber name field = name /= "file" && (name /= "force_n" || C.any (not . isSpace) field)
           numbers =
             [ (name, field)
@@ -125,8 +125,8 @@ entryOf mark names i line = case fieldsOf mark line of
              in Right (Entry name pose (value "force_n"))
         _ -> Left causes
 
--- | The fields of a line that this character parts, bare ones without quotes in them, or quoted
--- ones with quotes doubled.
+-- | The fields of a line that this character separates: bare ones without quotes in them, or quoted
+-- ones with doubled quotes.
 fieldsOf :: Char -> ByteString -> Maybe [ByteString]
 fieldsOf mark line = map C.pack <$> fields (C.unpack line)
   where
@@ -219,7 +219,7 @@ good =
   ["0", "1", "-3.5", "+2", "1e3", "12.70", ".5", "5.", "1E-2", "-00.5", "\"7\"", "1e+1", "1e308"]
 bad = ["", "two", "NaN", "-Infinity", "-", "e5", "0x10", "1.2.3", "1e309", "-1e400", "--1", "\"\""]
 
--- | As it is, or with one or two pieces left out, doubled, or changed.
+-- | Unchanged, or with one or two pieces left out, doubled, or changed.
 mutated :: [ByteString] -> Gen Pieces
 mutated pieces = do
   times <- frequency [(2, pure 0), (3, pure (1 :: Int)), (1, pure 2)]

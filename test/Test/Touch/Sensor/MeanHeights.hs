@@ -1,4 +1,4 @@
--- | The sensor's forward model, and scenes of touched faces for other specifications.
+-- | Tests the sensor's forward model; also has scenes of touched faces for other specifications.
 module Test.Touch.Sensor.MeanHeights
   ( spec,
     texture,
@@ -23,8 +23,8 @@ import Test.QuickCheck hiding (generate, sample)
 import Test.Touch.Image.RastersAndCorrelation (genRasterOf)
 import Test.Touch.Paper (paperAlphabet)
 
--- | A relief of that many taxels whose every taxel's height is drawn from 0 to full scale: telling
--- everywhere.
+-- | A relief of this many taxels, each of a random height from 0 to full scale, so that it has
+-- detail everywhere.
 texture :: Int -> Int -> Int -> HeightMap
 texture seed w h =
   heightMap taxelPitch (generate w h (\x y -> full * fromMaybe 0 (heights V.!? (y * w + x))))
@@ -56,8 +56,8 @@ spec = do
   describe "Forward model" forward
   describe "Noise and position errors" errors
 
--- | The mean height under an element of a sensor of so many columns and rows, as a share of full
--- scale, from points of a fine grid: the definition, up to the grid's fineness.
+-- | The mean height under an element of a sensor of this size, as a share of full scale, from
+-- points of a fine grid: the definition, up to the grid's fineness.
 sampled :: (Int, Int) -> HeightMap -> Pose -> Int -> Int -> Double
 sampled (columns, rows) (HeightMap cell _ heights _) (Pose px py r) i j = sum hs / genericLength hs
   where
@@ -73,12 +73,12 @@ sampled (columns, rows) (HeightMap cell _ heights _) (Pose px py r) i j = sum hs
       taxelPitch
         * (fromIntegral k - fromIntegral n / 2 + (fromIntegral a + 0.5) / fromIntegral fine)
 
--- | A sensor without any error of so many columns and rows, whose full scale is 1 mm.
+-- | A sensor without errors of this many columns and rows, whose full scale is 1 mm.
 sensorOf :: (Int, Int) -> Sensor
 sensorOf (columns, rows) =
   idealSensor {sensorFullScale = 1, sensorColumns = columns, sensorRows = rows}
 
--- | Columns and rows, as many or not.
+-- | Columns and rows, equal or not.
 genSize :: Gen (Int, Int)
 genSize = (,) <$> choose (1, 17) <*> choose (1, 17)
 
@@ -100,7 +100,7 @@ forward = do
            in counterexample
                 (show (exact, fine))
                 (maybe False (\v -> abs (v - fine) < fineness pose) exact)
-  it "upright, what the elements see adds up to the relief's volume" $
+  it "the heights that an upright sensor sees add up to the relief's volume" $
     forAll ((,,) <$> genRasterOf 5 5 <*> choose (-7, 12) <*> choose (-7, 12)) $ \(heights, x, y) ->
       let cell = 1.1
           sensor = idealSensor {sensorFullScale = 1}
@@ -128,12 +128,12 @@ forward = do
       (heightMap taxelPitch (generate 16 16 (\x _ -> if x < 8 then 99 else -1)))
       (Pose 12.7 12.7 0)
       `shouldBe` generate 16 16 (\x _ -> if x < 8 then 1 else 0)
-  it "off the map there is nothing to touch" $
+  it "there is nothing to touch off the map" $
     forwardImage idealSensor (heightMap 1 (constant 4 4 1)) (Pose (-99) 0 0)
       `shouldBe` constant 16 16 0
   where
-    -- What the points of the two grids can miss at the borders of cells whose heights differ by
-    -- up to 1.
+    -- The largest difference between the points of the two grids at borders of cells whose heights
+    -- differ by up to 1.
     fineness pose = if poseRotation pose `elem` [0, 90, 180, 270] then 0.06 else 0.2
     -- In the middle of a relief of as many taxels.
     middle (w, h) = Pose (taxelPitch * fromIntegral w / 2) (taxelPitch * fromIntegral h / 2)
@@ -165,8 +165,8 @@ errors = do
             press standardSensor {sensorNoise = 2} (texture 1 20 20) (Pose 12 12 0) (mkStdGen seed)
        in V.all (\v -> v >= 0 && v <= 1) (rasterValues seen)
   it "position errors have mean 0 and the stated deviation, within five standard errors" $ do
-    -- On ramps rising by 1 mm of 100 a millimetre the mean of an image tells where the sensor
-    -- really was.
+    -- On ramps rising by 1 mm of 100 a millimetre the mean of an image gives the sensor's true
+    -- place.
     let sensor = idealSensor {sensorFullScale = 100, sensorPositionError = 1}
         ramp along =
           heightMap
@@ -184,7 +184,7 @@ errors = do
             | xs <- [places True, places False]
           ]
     found `shouldBe` [True, True]
-  it "a frame states the nominal pose, in the robot's coordinates, and the sensor's force" $ do
+  it "a frame has the nominal pose, in the robot's coordinates, and the sensor's force" $ do
     let nominal = Pose 3 4 180
         (frame, _) = probe standardSensor (texture 2 40 40) (Motion 180 60 60) nominal (mkStdGen 1)
     (framePose frame, frameForce frame) `shouldBe` (nominal, sensorForce standardSensor)
@@ -194,7 +194,7 @@ errors = do
           relief = texture 3 40 40
        in frameImage (fst (probe idealSensor relief motion (Pose 5 6 0) (mkStdGen 1)))
             === forwardImage idealSensor relief (move motion (Pose 5 6 0))
-  it "the same seed gives the same frames, and a scan is its presses in turn" $
+  it "one seed gives the same frames, and a scan is its presses in turn" $
     property $ \seed ->
       let poses = [Pose 15 15 0, Pose 20 15 0]
           relief = texture 4 30 30

@@ -1,6 +1,6 @@
 {-# LANGUAGE OverloadedStrings #-}
 
--- | Rigid motions, the plan of a scan, and manifests.
+-- | Tests rigid motions, the plan of a scan, and manifests.
 module Test.Touch.Sensor.MotionsAndPlans (spec) where
 
 import qualified Data.ByteString as B
@@ -53,13 +53,13 @@ formulas = do
           (x', y') = rotated (a + b) place
           size = 1 + abs (fst place) + abs (snd place)
        in abs (x - x') + abs (y - y') < 1e-9 * size
-  it "a parabola that opens downwards is highest at its vertex; others are nowhere" $
+  it "a parabola that opens downwards is highest at its vertex; any other has no vertex" $
     forAll ((,,) <$> choose (-3, 3) <*> choose (-2, 2) <*> choose (-1, 1)) $ \(bend, v, top) ->
       let at t = top - bend * (t - v) * (t - v)
        in case parabolaVertex (at (-1)) (at 0) (at 1) of
             Just found -> bend > 0 && (bend < 1e-3 || abs (found - v) < 1e-9)
             Nothing -> bend < 1e-12
-  it "an angle is its nearest quarter turn and what is beyond, from -45 up to 45" $
+  it "an angle is its nearest quarter turn plus a rest in [-45, 45)" $
     forAll (oneof [arbitrary, (45 *) . fromIntegral <$> choose (-20, 20 :: Int)]) $ \angle ->
       let (quarter, beyond) = nearestQuarter angle
           turns = (angle - degreesClockwise quarter - beyond) / 360
@@ -76,7 +76,7 @@ genMotion =
 genPose :: Gen Pose
 genPose = Pose <$> choose (-99, 99) <*> choose (-99, 99) <*> choose (0, 359.9)
 
--- | Equal up to rounding, angles around the full turn too.
+-- | Equal up to rounding, also for angles around the full turn.
 same :: Pose -> Pose -> Property
 same a@(Pose x y r) b@(Pose x' y' r') =
   counterexample
@@ -95,7 +95,7 @@ motions = do
   it "move (m `andThen` n) p = move n (move m p)" $
     forAll ((,,) <$> genMotion <*> genMotion <*> genPose) $ \(m, n, p) ->
       move (m `andThen` n) p `same` move n (move m p)
-  it "distances stay" $
+  it "distances stay the same" $
     forAll ((,,) <$> genMotion <*> genPose <*> genPose) $ \(m, p, q) ->
       let distance (x, y) (x', y') = sqrt ((x - x') * (x - x') + (y - y') * (y - y'))
           at (Pose x y _) = (x, y)
@@ -111,7 +111,7 @@ motions = do
             poseRotation (move m p)
        in r >= 0 && r < 360
 
-  it "rotations stay in [0, 360) and turn as they should, however large or little they are" $
+  it "rotations stay in [0, 360) and turn correctly, however large or small they are" $
     [ r
       | e <- [-1074, -60, -50, 0, 1, 5, 9, 20 :: Int],
         sign <- [-1, 1],
@@ -127,7 +127,7 @@ motions = do
 
 plans :: Spec
 plans = do
-  it "the region of the evaluation takes columns at 0, 8, 16, 24 and rows at 0, 8, 16, 24, 32, 36" $
+  it "the evaluation's region has columns at 0, 8, 16, 24 and rows at 0, 8, 16, 24, 32, 36" $
     planScan 8 (0, 0) (40, 52)
       `shouldBe` Right
         [ Pose (taxelPitch * (x + 8)) (taxelPitch * (y + 8)) 0
@@ -155,12 +155,12 @@ plans = do
                       && length poses == length xs * length ys
                       && all ((== 0) . poseRotation) poses
                   )
-  it "refuses a spacing below one taxel, a region smaller than the sensor, and one without end" $ do
+  it "a spacing below one taxel, a region below the sensor, and an infinite region are refused" $ do
     planScan 0 (0, 0) (40, 40) `shouldBe` Left (SpacingTooSmall 0)
     planScan 8 (0, 0) (15, 40) `shouldBe` Left (RegionTooSmall 15 40)
     planScan 8 (0, 0) (40, -1) `shouldBe` Left (RegionTooSmall 40 (-1))
     planScan 1 (0, 0) (maxBound, maxBound) `shouldBe` Left (RegionTooLarge maxBound maxBound)
-  it "has 100000 presses at most" $ do
+  it "a plan has at most 100000 presses" $ do
     let columnsAndRows (a, b) = planScan 1 (0, 0) (a + sensorSide - 1, b + sensorSide - 1)
     map (fmap length . columnsAndRows) [(250, 400), (11, 9091)]
       `shouldBe` [Right 100000, Left (RegionTooLarge 26 9106)]
@@ -171,7 +171,7 @@ plans = do
 
 manifests :: Spec
 manifests = do
-  it "what is not used may be left out: forces, and of calibration frames the positions" $ do
+  it "optional parts may be missing: forces, and the positions of calibration frames" $ do
     parseManifest "file,x_mm,y_mm,rotation_deg\na.pgm,1,2,0\n"
       `shouldBe` Right [Entry "a.pgm" (Just (Pose 1 2 0)) Nothing]
     parseManifest "file\na.pgm\nb.pgm\n"
@@ -183,14 +183,14 @@ manifests = do
     for_ [["x_mm"], ["y_mm", "rotation_deg"], ["rotation_deg"]] $ \columns ->
       parseManifest (encodeUtf8 (Text.intercalate "," ("file" : columns)) <> "\na.pgm,1,2\n")
         `shouldBe` Left (WrongHeader ("file" : columns))
-  it "semicolons part fields, too, and the header may be in capitals and in any order" $ do
+  it "semicolons also separate fields; the header may be in capitals and in any order" $ do
     parseManifest "Y_MM;X_MM; File ;ROTATION_DEG\r\n2;1;a,b.pgm;0\r\n"
       `shouldBe` Right [Entry "a,b.pgm" (Just (Pose 1 2 0)) Nothing]
     parseManifest "file;x_mm;y_mm;rotation_deg\na.pgm;1,5;2;0\n"
       `shouldBe` Left (BadNumber 2 "x_mm" "1,5")
     parseManifest "file,x_mm,y_mm,rotation_deg\na.pgm,1,5,2,0\n"
       `shouldBe` Left (WrongFieldCount 2 5 4)
-  it "UTF-16 is named, with its byte order mark and without" $ do
+  it "UTF-16 is named in the refusal, with its byte order mark and without" $ do
     let wide = B.concatMap (\byte -> B.pack [byte, 0])
         swapped = B.concatMap (\byte -> B.pack [0, byte])
         text = header <> "a.pgm,1,2,0,3\n"
@@ -198,16 +198,16 @@ manifests = do
       parseManifest file `shouldBe` Left (ManifestInEncoding Utf16)
   it "parseManifest (renderManifest entries) = entries" $
     forAll (listOf1 genEntry) $ \entries -> parseManifest (renderManifest entries) === Right entries
-  it "reads what the design shows" $
+  it "reads the example of the design" $
     parseManifest "file,x_mm,y_mm,rotation_deg,force_n\nf0.pgm,12.7,-3.5,180,9.81\n"
       `shouldBe` Right [Entry "f0.pgm" (Just (Pose 12.7 (-3.5) 180)) (Just 9.81)]
-  it "passes over a byte order mark, carriage returns and blank lines" $
+  it "skips a byte order mark, carriage returns and blank lines" $
     parseManifest "\xef\xbb\xbf\&file,x_mm,y_mm,rotation_deg,force_n\r\n\r\na b.pgm,1,2,0,3\r\n\n"
       `shouldBe` Right [Entry "a b.pgm" (Just (Pose 1 2 0)) (Just 3)]
   it "takes a quoted name with commas and quotes" $
     parseManifest (header <> "\"a,\"\"b\"\".pgm\",1,2,0,3")
       `shouldBe` Right [Entry "a,\"b\".pgm" (Just (Pose 1 2 0)) (Just 3)]
-  it "names the line, counting blank ones, and the field that is no finite number" $ do
+  it "names the line, counting blank ones, and the field that is not a finite number" $ do
     parseManifest (header <> "a,1,2,0,3\n\nb,1,two,0,3\n")
       `shouldBe` Left (BadNumber 4 "y_mm" "two")
     parseManifest (header <> "a,1,2,NaN,3\n") `shouldBe` Left (BadNumber 2 "rotation_deg" "NaN")
@@ -229,11 +229,11 @@ manifests = do
     parseManifest "" `shouldBe` Left EmptyManifest
     parseManifest " \n" `shouldSatisfy` isLeft
     parseManifest header `shouldBe` Left NoEntries
-  it "refuses a quote that is not closed: the CSV library throws for one that ends the line" $ do
+  it "refuses an unclosed quote, although the CSV library throws for one that ends the line" $ do
     parseManifest (header <> "\"") `shouldBe` Left (NotCsv 2)
     parseManifest (header <> "a,1,2,0,\"\n") `shouldBe` Left (NotCsv 2)
     parseManifest "\"" `shouldBe` Left (NotCsv 1)
-  it "answers any bytes, quotes and commas above all" $
+  it "answers any bytes, especially quotes and commas" $
     withMaxSuccess 2000 $
       forAll ((,) <$> elements ["", header] <*> genBytes) $ \(start, rest) ->
         either (const True) (not . null) (parseManifest (start <> rest))

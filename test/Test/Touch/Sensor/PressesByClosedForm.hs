@@ -1,5 +1,5 @@
--- | Presses as a whole, by closed forms where nothing is drawn and by the deviations where
--- something is; a sensor's specimen and its calibration, at their limits too.
+-- | Tests whole presses: by closed forms if nothing is random, and by the deviations otherwise.
+-- Also tests a sensor's specimen and its calibration, at their limits too.
 module Test.Touch.Sensor.PressesByClosedForm (spec) where
 
 import Data.Foldable (for_)
@@ -37,7 +37,7 @@ closeTo a b =
 
 angleSpec :: Spec
 angleSpec = do
-  it "are kept from 0 up to 360 degrees; what is not finite stays" $
+  it "are kept from 0 up to 360 degrees; infinite ones stay" $
     for_ [0, 90, 359.5, 360, -0.5, 720.25, -1e-20, 1 / 0, -1 / 0] $ \r -> do
       let told = poseRotation (move stay (Pose 1 2 r))
           back = motionRotation (inverse (Motion r 0 0))
@@ -48,12 +48,12 @@ angleSpec = do
           [told, both, back] `shouldSatisfy` all (\a -> a >= 0 && a < 360)
           let whole a = abs (a - 360 * fromIntegral (round (a / 360) :: Int)) < 1e-9
           map whole [told - r, both - r, back + r] `shouldBe` [True, True, True]
-  it "that are no numbers stay none" $
+  it "stay NaN" $
     map (isNaN . poseRotation . move stay . Pose 0 0) [0 / 0] `shouldBe` [True]
 
 scaleSpec :: Spec
 scaleSpec = do
-  it "askew, an element reads the mean of 8 x 8 points of its aperture, as a share of it" $
+  it "scales the mean of 8 x 8 points of an element's aperture on a turned sensor" $
     forAll ((,) <$> elements [10, 37, 200, -75] <*> elements [0.7, 1.5875, 2]) $ \(turn, cell) ->
       forAll ((,) <$> choose (6, 20) <*> choose (6, 20)) $ \(x, y) ->
         let sensor = idealSensor {sensorColumns = 3, sensorRows = 4}
@@ -72,7 +72,7 @@ scaleSpec = do
                 / 64
             wanted = generate 3 4 (\i j -> max 0 (min 1 (element i j / sensorFullScale sensor)))
          in closeTo (forwardImage sensor (heightMap cell heights) (Pose x y turn)) wanted
-  it "under tabs it reads the share of each on the face times its height, spread below them" $
+  it "scales the tab's share on the face times its height, spread below the tabs" $
     forAll ((,) <$> elements [0, 30, 90] <*> elements [0, 0.7]) $ \(turn, depth) ->
       forAll ((,) <$> choose (6, 20) <*> choose (6, 20)) $ \(x, y) ->
         let sensor =
@@ -91,7 +91,7 @@ scaleSpec = do
             felt = spreadForces 1.5875 depth (generate 5 4 share)
             wanted = mapRaster (\v -> max 0 (min 1 (max 0 v ** 0.8))) felt
          in closeTo (forwardImage sensor (heightMap 1.5 heights) (Pose x y turn)) wanted
-  it "no reading is above it, however it comes about" $ do
+  it "is never exceeded, however the reading comes about" $ do
     let steep = heightMap taxelPitch (constant 16 16 50)
         here = Pose (8 * taxelPitch) (8 * taxelPitch) 0
         stiff =
@@ -109,7 +109,7 @@ scaleSpec = do
 
 pressSpec :: Spec
 pressSpec = do
-  it "tilted on a flat face, a sensor without force reads a plane through its centre, or nothing" $
+  it "of a tilted sensor without force on a flat face read a plane through its centre, or 0" $
     forAll (choose (0, 10000)) $ \seed -> forAll (elements [0, 1.1]) $ \tab ->
       let sensor = idealSensor {sensorTiltSpread = 0.3, sensorTab = tab}
           flat = heightMap 1 (constant 100 100 0)
@@ -139,7 +139,7 @@ pressSpec = do
                     ]
                 )
             ]
-  it "forces and what is left of the press before conduct; gains, drift, crosstalk, dead, code" $
+  it "apply forces, hysteresis, gains, drift, crosstalk, dead elements and code in this order" $
     forAll ((,,) <$> choose (0, 0.4) <*> elements [1, 0.7] <*> choose (0, 0.1)) $
       \(hysteresis, k, drift) ->
         forAll ((,) <$> choose (0, 0.02) <*> elements [0, 4, 8]) $ \(share, bits) ->
@@ -171,7 +171,7 @@ pressSpec = do
                 agrees n force frame = closeTo (readings n force) (frameImage frame)
              in conjoin (zipWith3 agrees [1 ..] forces frames)
                   .&&. map framePose frames === poses
-  it "of one alone is the first of a flawless specimen's" $
+  it "by themselves equal the first of a flawless specimen" $
     forAll ((,) <$> choose (-3, 3) <*> elements [0, 90, 15]) $ \(x, r) ->
       let sensor = idealSensor {sensorHysteresis = 0.3, sensorDrift = 0.1, sensorCrosstalk = 0.02}
           relief = texture 5 40 40
@@ -179,7 +179,7 @@ pressSpec = do
           alone = fst (press sensor relief pose (mkStdGen 3))
        in map frameImage (fst (scanWith sensor (flawless sensor) relief stay [pose] (mkStdGen 4)))
             === [alone]
-  it "without noise a rigid sensor reads its tabs' displacements, spread, by their conductance" $
+  it "of a rigid sensor without noise are the conductance of the spread tab displacements" $
     forAll ((,) <$> choose (-3, 3) <*> elements [0, 90, 20]) $ \(x, r) ->
       let relief = texture 5 40 40
           pose = Pose (30 + x) 28 r
@@ -189,7 +189,7 @@ pressSpec = do
             mapRaster (max 0 . min 1 . conductance 0.8 0.01 0.9) (spreadForces taxelPitch 0.7 felt)
        in closeTo (forwardImage rigid relief pose) wanted
             .&&. closeTo (fst (press rigid relief pose (mkStdGen 1))) wanted
-  it "bears a twentieth of its force at least, and tilts alike across and down" $ do
+  it "bear at least a twentieth of the force, and tilt equally across and down" $ do
     let many = byEffort 100 400 :: Int
         count = fromIntegral many
         even' = heightMap 5 (constant 20 20 0)
@@ -198,7 +198,8 @@ pressSpec = do
           map frameImage (fst (scan sensor even' stay (replicate many (Pose 50 50 0)) (mkStdGen 2)))
         forces = [10 * V.sum (rasterValues i) | i <- images linear {sensorForceSpread = 1}]
         tilted = images linear {sensorTiltSpread = 0.02}
-        -- From the outer elements' centres to the middle is 15 / 16 of half the sensor.
+        -- The distance of the outer elements' centres from the middle is 15 / 16 of half the
+        -- sensor.
         tilts (x, y) = [(at i x y - at i (15 - x) (15 - y)) / 0.019 / 2 * 16 / 15 | i <- tilted]
         deviation values = sqrt (sum (map (^ (2 :: Int)) values) / count)
         (right', down) = (tilts (15, 8), tilts (8, 15))
@@ -210,10 +211,10 @@ pressSpec = do
       `shouldSatisfy` (\part -> part > 0 && abs (part - 0.171) < 5 * sqrt (0.171 * 0.829 / count))
     [deviation right', deviation down]
       `shouldSatisfy` all (\sd -> abs (sd - own) < 5 * own / sqrt (2 * count) + own / 200)
-    -- The two are drawn apart.
+    -- The two are drawn independently.
     abs (sum (zipWith (*) right' down) / count)
       `shouldSatisfy` (< 5 * own * own / sqrt count + own * own / 7)
-  it "has noise of which a row and a column have their shares in common, the last ones too" $ do
+  it "have noise of which rows and columns share their parts, the last ones too" $ do
     let sensor =
           idealSensor
             { sensorColumns = 12,
@@ -247,7 +248,7 @@ pressSpec = do
 
 specimenSpec :: Spec
 specimenSpec = do
-  it "have no negative gains; all elements are dead where the share is 1, none where it is 0" $ do
+  it "have no negative gains; all elements are dead for the share 1, and none for 0" $ do
     let gains spread dead =
           V.toList . rasterValues . specimenGains . fst $
             drawSpecimen
@@ -257,7 +258,7 @@ specimenSpec = do
     length (filter (== 0) (gains 1.5 0)) `shouldSatisfy` (< 128)
     gains 0.1 1 `shouldBe` replicate 256 0
     filter (== 0) (gains 0.1 0) `shouldBe` []
-  it "in calibration frames read nothing, or half of full scale, each as at the first press" $ do
+  it "read 0 or half of full scale in calibration frames, each as at the first press" $ do
     let sensor =
           idealSensor {sensorColumns = 5, sensorRows = 3, sensorDrift = 0.3, sensorHysteresis = 0.4}
         gains = generate 5 3 (\x y -> fromIntegral ((x + 2 * y) `mod` 3))
@@ -270,7 +271,7 @@ specimenSpec = do
 
 calibrationSpec :: Spec
 calibrationSpec = do
-  it "is as defined, where elements lie at the limits of what is dead as well" $
+  it "is as defined, also for elements at the limits of being dead" $
     forAll (choose (2, 6)) $ \w ->
       forAll (vectorOf (2 * w) ((,) <$> elements darks <*> elements rises)) $ \drawn' ->
         let part f = generate w 2 (\x y -> f (drawn' !! (y * w + x)))
@@ -300,7 +301,7 @@ calibrationSpec = do
         calibration = Calibration (constant 4 1 0.25) (row [1, 2, 0.5, 1]) []
     correctedImage calibration (row [0.125, 0.75, 1, 0.5])
       `shouldBe` Right (row [0, 0.25, 1, 0.25])
-  it "a dead element has the mean of the nearest ring with living ones; 0 where none lives" $
+  it "gives a dead element the mean of the nearest ring with living ones, or 0 without any" $
     forAll ((,) <$> choose (1, 9) <*> choose (1, 9)) $ \(w, h) ->
       forAll (shuffle [(y, x) | y <- [0 .. h - 1], x <- [0 .. w - 1]]) $ \places ->
         forAll (flip splitAt places <$> oneof [choose (0, 3), choose (0, w * h)]) $
@@ -316,7 +317,7 @@ calibrationSpec = do
              in case correctedImage (plain w h dead) image of
                   Right found -> closeTo found (generate w h wanted)
                   Left e -> counterexample (show e) False
-  it "elements are stuck that are above the middle in six frames or more, 8 elements apart" $
+  it "finds elements stuck that are above the middle in six frames or more, 8 elements apart" $
     forAll ((,) <$> choose (5, 7) <*> elements [7.9, 8, 8.1]) $ \(count, far) ->
       forAll ((,) <$> choose (0, 6) <*> elements [0.5, 0.501]) $ \(stuck, level) ->
         forAll arbitrary $ \upwards ->
@@ -338,7 +339,7 @@ calibrationSpec = do
                   then either (const []) id (traverse (corrected (none lit)) frames)
                   else frames
            in classify applies "stuck" (withoutStuck frames === wanted)
-  it "where no element is stuck nothing is changed, not even readings above full scale" $ do
+  it "changes nothing without stuck elements, not even readings above full scale" $ do
     let frame k = Frame (Pose (20 * k) 0 0) 0 (generate 4 4 (felt k)) taxelPitch [(1, 1)]
         felt k x y = if fromIntegral (x + y) == k then 1.5 else 0.25 :: Double
         frames = map frame [0 .. 6]

@@ -1,7 +1,6 @@
 {-# LANGUAGE OverloadedStrings #-}
 
--- | Drawings held against the rules: by the library, and by a checker in Python that shares nothing
--- with it.
+-- | Tests drawings against the rules: in the library, and with an independent checker in Python.
 module Test.Touch.Shape.CheckedDrawings (spec) where
 
 import Control.Monad (when)
@@ -32,21 +31,21 @@ import Test.Support
 spec :: Spec
 spec = do
   for_ shippedSizes $ \q -> describe ("the alphabet shipped for GF(" ++ show q ++ ")") $ do
-    it "has a shape for each element, no fault, and the greatest least distance there is" $ do
+    it "has a shape for each element, no fault, and the greatest possible least distance" $ do
       a <- right (shippedAlphabet q)
       (alphabetSize a, faults (alphabetDrawings a)) `shouldBe` (q, [])
       Just (separation a) `shouldBe` greatestPossible q
-    it "is found by the checker in Python to be as the program says" $ do
+    it "has the faults and distances that the checker in Python finds" $ do
       a <- right (shippedAlphabet q)
       checkedInPython (alphabetDrawings a) >>= mapM_ (`shouldBe` ExitSuccess)
-  it "each fault is found where it is the only one that can be, by both" $
+  it "library and checker find each fault where it is the only possible one" $
     for_ drawnFaults $ \(kinds, rows) -> do
       a <- right (drawing [("x", rows)])
       faults a `shouldBe` map (Fault "x") kinds
       -- One that is drawn by taxels, and one of several faults.
       when (byEffort (kinds `elem` [[Stroke], [Side, Area, OwnImage]]) True) $
         checkedInPython a >>= mapM_ (`shouldBe` ExitFailure 1)
-  it "two shapes are too near below 32 taxels, each however it is turned, mirrored or shifted" $ do
+  it "shapes are too near below 32 taxels, however each is turned, mirrored or shifted" $ do
     four <- right (shippedAlphabet 4)
     let first = take 1 (zip ["a"] (shapes four))
         second kept =
@@ -57,7 +56,7 @@ spec = do
       near <- right (toDrawings (first ++ other))
       [fault | fault@(Fault _ TooNear) <- faults near] `shouldBe` [Fault "b" TooNear]
       checkedInPython near >>= mapM_ (`shouldBe` ExitFailure 1)
-  it "pairs are nearest where the distance by its definition is least, and there it is attained" $
+  it "nearest gives the least distance by definition, and where it is attained" $
     property . withMaxSuccess 30 $
       forAll ((,) <$> shape <*> shape) $ \(a, b) ->
         let Nearest d symmetry (x, y) = nearest symmetries a b
@@ -70,20 +69,20 @@ spec = do
                 property (abs x <= 1 && abs y <= 1)
               ]
   whenFull $ do
-    it "three shapes are never 50 apart, four never 46, five never 42: nothing was left out" $ do
+    it "three shapes are never 50 apart, four never 46, five never 42: by all shapes" $ do
       let all' = [(b, selfDistance b, prepared b) | b <- families]
-          -- One of each family, which are as far from anything as all of it.
+          -- One of each family: all of a family are equally far from any shape.
           families = [b | b <- admissible paperParameters, b == minimum (family b)]
           apart d = [p | (_, self, p) <- all', self >= d]
           none count d = maybe True (const False) (clique count (farApart d) (apart d))
       map (uncurry none) [(2, 50), (4, 46), (5, 42)] `shouldBe` [True, True, True]
       map (uncurry none) [(1, 56), (3, 48), (4, 44)] `shouldBe` [False, False, False]
-    it "the shapes for three elements are what the design gives from its seed" $ do
+    it "the shapes for three elements are the design's from its seed" $ do
       shipped <- T.readFile "data/alphabets/gf3/shapes.txt"
       fmap (renderAlphabet . fst) (design paperSeed (parametersFor ["0", "1", "A"]))
         `shouldBe` Right shipped
-  it "of more than four shapes the design has one that the seed chose, and says so" $ do
-    -- Of shapes of few blocks there are few, so that this is quick.
+  it "for more than four shapes the design picks one by its seed, and states that" $ do
+    -- There are few shapes of few blocks, so that this is quick.
     let few = (parametersFor ["a", "b", "c", "d", "e"]) {leastBlocks = 12, mostBlocks = 12}
     (a, report) <- right (design 1 few)
     reportAlphabets report `shouldBe` Nothing
@@ -92,8 +91,8 @@ spec = do
       (b, _) <- right (design 2 few)
       separation b `shouldBe` separation a
   where
-    -- Whether taxel (u, v) of the first's box, or beside it, is not as that of the second is,
-    -- transformed about the boxes' common middle and then shifted.
+    -- Whether taxel (u, v) of the first's box, or beside it, differs from that of the second, which
+    -- is transformed about the boxes' common middle and then shifted.
     differ symmetry (x, y) u v a b = embossedAt a u v /= turnedAt symmetry b (u - x) (v - y)
     turnedAt symmetry b u v = case drop' (v - top) seen of
       row : _ | on : _ <- drop' (u - left) row -> on
@@ -106,8 +105,8 @@ spec = do
       rows <- vectorOf 12 (vectorOf 8 arbitrary)
       pure (bitmapWhere (\x y -> (rows !! y) !! x))
 
--- | What the checker in Python says of the drawings and of what the program says of them; the
--- example is pending where there is no Python.
+-- | The result of the checker in Python on the drawings and on the program's statements. The
+-- example is pending without Python.
 checkedInPython :: Drawings -> IO [ExitCode]
 checkedInPython a = do
   python <- findExecutable "python3"
@@ -132,9 +131,9 @@ drawing named = decodeDrawings (T.encodeUtf8 (T.unlines (concatMap one named)))
     twice row = if length row == 8 then [T.pack row] else [doubled row, doubled row]
     doubled = T.pack . concatMap (\c -> [c, c])
 
--- | Drawings with one fault each: a row of 4 blocks, or of 8 taxels. Where whole blocks meet at a
--- corner only, of those in one piece two flat ones are parted as well; and a blank shape has
--- nothing along its sides and is its own image.
+-- | Drawings with one fault each: a row of 4 blocks, or of 8 taxels. Where whole blocks meet only
+-- at a corner, two flat blocks of one piece are separated as well; and a blank shape has nothing
+-- along its sides and is its own image.
 drawnFaults :: [([Kind], [String])]
 drawnFaults =
   [ ([Side], ["...#", "#.##", "#.#.", "###.", "..##", "###."]),

@@ -1,5 +1,6 @@
 {-# LANGUAGE OverloadedStrings #-}
 
+-- | Tests shapes: bitmaps, alphabets, distances, the design, and ordinary features.
 module Test.Touch.Shape.DesignAndDistance (spec) where
 
 import Control.Monad (replicateM)
@@ -28,7 +29,7 @@ spec = do
       property $ forAll rowsOfBits $ \rows -> fmap bitmapRows (bitmap rows) === Right rows
     it "refuses any other number of rows" $
       fmap area (bitmap (replicate 11 (replicate 8 True))) `shouldBe` Left (WrongRowCount 11)
-    it "refuses a row of any other width, and says which" $
+    it "refuses a row of any other width, and names it" $
       fmap
         area
         ( bitmap
@@ -73,9 +74,9 @@ spec = do
             === (mirroredRows (mirroredColumns b), [b, b, b])
 
   describe "Alphabet" $ do
-    it "its drawing, read, is itself" $
+    it "is read as it was drawn" $
       property $ forAll alphabetGen $ \a -> parseAlphabet (renderAlphabet a) === Right a
-    it "refuses no shapes, a blank or repeated one, a repeated name, a line break" $
+    it "refuses an empty alphabet, a blank or repeated shape, a repeated name, and a line break" $
       map
         (either Just (const Nothing) . alphabet)
         [ [],
@@ -101,7 +102,7 @@ spec = do
     it "a drawing may have comments, empty lines and spaces at the ends of lines" $
       parseAlphabet ("; a comment\n\nsymbol x  \n" <> T.replace "\n" " \r\n" (drawBitmap corner))
         `shouldBe` alphabet [("x", corner)]
-    it "a drawing that goes astray is refused with its line" $
+    it "a malformed drawing is refused with its line" $
       map
         (either Just (const Nothing) . parseAlphabet)
         [ "",
@@ -150,7 +151,7 @@ spec = do
     it "is read without refusal: four shapes named 0, 1, A, A^2" $
       fmap shapeNames paperAlphabet `shouldBe` Right ["0", "1", "A", "A^2"]
     whenFull $
-      it "is what the design gives from its seed, to the bit" $ do
+      it "is the design's from its seed, to the bit" $ do
         shipped <- T.readFile "data/shapes.txt"
         fmap (renderAlphabet . fst) designed `shouldBe` Right shipped
     it "condition 1, orientation shows: turned or mirrored, 44 of 96 taxels differ" $
@@ -179,18 +180,18 @@ spec = do
             side <- take 1 r ++ drop 11 r ++ take 1 (transpose r) ++ drop 7 (transpose r)
         ]
           `shouldSatisfy` all (>= 4)
-    it "every shape hangs together by sides, and so does what is flat around it" $
+    it "every shape is connected by sides, and so is the flat part around it" $
       onShipped $ \these -> do
         map (pieces . embossedSet) these `shouldBe` map (const 1) these
         map (pieces . flatAround) these `shouldBe` map (const 1) these
-    it "its separation is 44" $
+    it "the separation of the shipped shapes is 44" $
       fmap separation paperAlphabet `shouldBe` Right 44
 
   describe "Design" $ do
     whenFull $ do
-      -- A separate program counted the four numbers: it visited all 2^24 drawings and all sets of
-      -- four; it found 2560 alphabets, ten times 4^4, at a separation of 44 and none at 46,
-      -- and differences between shapes of whole blocks of four taxels are even.
+      -- A separate program counted the four numbers by visiting all 2^24 drawings and all sets of
+      -- four. It found 2560 alphabets, ten times 4^4, at a separation of 44 and none at 46.
+      -- Differences between shapes of whole blocks of four taxels are even.
       it "visits all 43608 admissible shapes; no separation exceeds 44, 10 alphabets have it" $
         fmap snd designed `shouldBe` Right (Report paperSeed 43608 10948 44 (Just 10))
       it "another seed only turns, mirrors and exchanges the shapes" $ do
@@ -202,16 +203,16 @@ spec = do
           every = Set.fromList found
       null found `shouldBe` False
       filter (not . (`Set.isSubsetOf` every) . family) found `shouldBe` []
-    it "is as long as there are stacks of rows that share a block and meet at no corner only" $ do
+    it "draws every stack of rows that share a block and never meet only at a corner" $ do
       let rows = filter or (replicateM 4 [False, True])
           mayLie a b = or (zipWith (&&) a b) && not (any diagonal (zip (pairs a) (pairs b)))
           pairs list = zip list (drop 1 list)
           diagonal ((a, b), (c, d)) = a /= b && c /= d && a /= c
-          -- Of each row, how many stacks begin with it: of one row more than of those counted.
+          -- The number of stacks that begin with each row, from those with one row less.
           more counts = [sum [n | (b, n) <- zip rows counts, mayLie a b] | a <- rows]
           counted = iterate more (map (const 1) rows)
       fmap sum (take 1 (drop 5 counted)) `shouldBe` [drawings]
-    it "refuses constraints that nothing meets" $
+    it "refuses constraints that no shape meets" $
       fmap fst (design 1 paperParameters {leastBlocks = 3, mostBlocks = 5})
         `shouldBe` Left NoAlphabet
     it "cliques are all sets of pairwise related items" $
@@ -225,7 +226,7 @@ spec = do
                         length c == size,
                         and [related a b | a : others <- tails c, b <- others]
                     ]
-    it "one clique is one of them, and none is told just where there are none" $
+    it "clique finds one of the cliques, and none exactly if there is none" $
       property $
         forAll (choose (0, 5)) $ \size -> forAll (listOf (choose (1, 60 :: Int))) $ \list ->
           let items = take 12 list
@@ -311,7 +312,7 @@ spec = do
       property $
         forAll ((,) <$> shapeGen <*> elements ordinaryFeatures) $ \(b, f) ->
           abs (likeness b f - correlation (map bit (concat (bitmapRows b))) (window f)) < 1e-9
-    it "the set of them is closed under the half turn and the mirrors of the window" $ do
+    it "the set of ordinary features is closed under the half turn and the window's mirrors" $ do
       let images = Set.fromList [bitmapWhere (raises f) | f <- ordinaryFeatures]
       Set.unions (map family (Set.toList images)) `shouldBe` images
 
@@ -325,7 +326,7 @@ directions =
         t <- [1, -1]
     ]
 
--- | So many half taxels along a direction, as its vector's multiple: to the nearest whole number.
+-- | This many half taxels along a direction, as its vector's multiple: to the nearest whole number.
 far :: (Int, Int) -> Int -> Int
 far (a, b) c = floor (fromIntegral c * sqrt (fromIntegral (a * a + b * b)) + 0.5 :: Double)
 
@@ -336,7 +337,7 @@ rectangleOf text =
     attribute "fill" (fst (T.breakOn ">" text)) == "none"
   )
 
--- | The value of an attribute, where it comes first.
+-- | The value of an attribute at its first occurrence.
 attribute :: T.Text -> T.Text -> T.Text
 attribute name text =
   T.takeWhile (/= '"') (T.drop (T.length name + 3) (snd (T.breakOn (" " <> name <> "=\"") text)))
@@ -390,11 +391,11 @@ bit e = if e then 1 else 0
 window :: Feature -> [Double]
 window f = [bit (raises f x y) | y <- [0 .. 11], x <- [0 .. 7]]
 
--- | What ordinary features raise in the window, each once.
+-- | The images of ordinary features in the window, each once.
 windows :: [[Double]]
 windows = Set.toList (Set.fromList (map window ordinaryFeatures))
 
--- | The first of a list, and of those after it every one of that number.
+-- | The first of a list, and every n-th of those after it.
 everyNth :: Int -> [a] -> [a]
 everyNth n list = [one | (i, one) <- zip [0 ..] list, i `mod` n == 0]
 
@@ -408,7 +409,7 @@ embossedSet b = Set.fromList [(x, y) | x <- [0 .. 7], y <- [0 .. 11], embossedAt
 flatAround :: Bitmap -> Set.Set (Int, Int)
 flatAround b = Set.fromList [(x, y) | x <- [-1 .. 8], y <- [-1 .. 12], not (embossedAt b x y)]
 
--- | Into how many pieces a set of taxels falls.
+-- | The number of connected pieces of a set of taxels.
 pieces :: Set.Set (Int, Int) -> Int
 pieces set = case Set.minView set of
   Nothing -> 0

@@ -1,4 +1,4 @@
--- | Outlines of shapes, by what they have inside.
+-- | Tests outlines of shapes by what they enclose.
 module Test.Touch.Shape.OutlinesByDefinition (spec) where
 
 import Data.List (nub, sort)
@@ -11,7 +11,7 @@ import Test.Touch.Paper (paperAlphabet)
 
 spec :: Spec
 spec = do
-  prop "they wind once round each embossed taxel and round no other" $
+  prop "outlines wind once round each embossed taxel and round no other" $
     forAllBlind genBitmap $ \shape -> case outlines shape of
       Left _ -> label "two taxels meet at a corner only" True
       Right loops ->
@@ -22,7 +22,7 @@ spec = do
               x <- [-1 .. symbolWidth],
               let on = embossedAt shape x y
           ]
-  prop "they turn at each of their corners, and no two meet" $
+  prop "outlines turn at each of their corners, and no two meet" $
     forAllBlind genBitmap $ \shape -> case outlines shape of
       Left _ -> property True
       Right loops ->
@@ -34,7 +34,7 @@ spec = do
                   (a, b, c) <- zip3 loop (rotated 1 loop) (rotated 2 loop)
               ]
           ]
-  prop "a shape is refused if and only if two of its taxels meet at a corner only" $
+  prop "a shape is refused if and only if two of its taxels meet only at a corner" $
     forAllBlind genBitmap $ \shape ->
       let crossed =
             [ (x, y)
@@ -54,8 +54,8 @@ spec = do
   where
     rotated n loop = drop n loop ++ take n loop
 
--- | How often a loop goes round the middle of a taxel counter-clockwise, as its sides that run down
--- and up to the left of it tell.
+-- | The number of times a loop goes counter-clockwise round the middle of a taxel, by its sides
+-- that run down and up to the left of it.
 winding :: Int -> Int -> [Corner] -> Int
 winding x y loop =
   sum
@@ -67,7 +67,7 @@ winding x y loop =
         y < max v v'
     ]
 
--- | Some rectangles of taxels put on, and some taken out.
+-- | Some rectangles of taxels, added and removed.
 genBitmap :: Gen Bitmap
 genBitmap = do
   parts <- listOf1 ((,) <$> frequency [(3, pure True), (1, pure False)] <*> genBox)
