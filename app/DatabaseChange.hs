@@ -54,14 +54,26 @@ taskOption =
     Add
     ( long "add"
         <> help
-          "Add objects to the database: their faces are laid as --placement says, else on free \
-          \cells"
+          "Add objects to the database; their faces are laid as --placement says, or on free cells"
     )
-    <|> flag' Replace (long "replace" <> help "Put objects in the place of those of their names")
-    <|> flag' Remove (long "remove" <> help "Take the objects of these names from the database")
+    <|> flag'
+      Replace
+      ( long "replace"
+          <> help
+            "Replace objects of the database by those of the \
+            \same names"
+      )
+    <|> flag' Remove (long "remove" <> help "Remove the objects of these names from the database")
     <|> Export
-    <$> fileOption "export" "FILE" "Write the database's placement to a file, as 'place' writes it"
-    <|> flag' Check (long "check" <> help "Read all of the database and prove its placement")
+    <$> fileOption
+      "export"
+      "FILE"
+      "Write the placement that the database holds to this file, as \
+      \'place' writes it"
+    <|> orAliasFlag
+      "check"
+      Check
+      (flag' Check (long "verify" <> help "Read the whole database and prove its placement"))
 
 -- | The option's name.
 taskName :: Task -> String
@@ -70,7 +82,7 @@ taskName what = case what of
   Replace -> "--replace"
   Remove -> "--remove"
   Export _ -> "--export"
-  Check -> "--check"
+  Check -> "--verify"
 
 -- | Whether objects are named for it.
 takesOperands :: Task -> Bool

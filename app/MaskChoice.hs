@@ -21,8 +21,8 @@ import PraTactile.Window
 maskOption :: Parser (Maybe Mask)
 maskOption =
   optional . valued (eitherReader (first windowMessage . maskFromDrawing)) "mask" "DRAWING" $
-    "The window's cells, instead of a rectangle: # observed, . not, rows parted by / or line \
-    \ends (as in '##./.##')"
+    "The cells of the window, which need be no rectangle: # is observed, . is not, rows are \
+    \separated by / or line ends, as in '##./.##'"
 
 -- | The profile and the mask that are chosen, on the surface chosen; the profile's window is the
 -- extent of the mask.

@@ -1,5 +1,5 @@
 -- | Choosing the objects, alike in every command that touches them or looks them up: @--placement
--- FILE@, @--database FILE@, @--object sheet@, or nothing, which is the shipped placement or of
+-- FILE@, @--database FILE@, @--sheet@, or nothing, which is the shipped placement or of
 -- another array the array itself.
 module PlacementChoice
   ( PlacementChoice,
@@ -7,6 +7,7 @@ module PlacementChoice
     placementBeside,
     placementGiven,
     plateOr,
+    objectsGroup,
     holding,
     ofDatabase,
     chosenPlacement,
@@ -56,13 +57,13 @@ placementOption =
   fileOption
     "placement"
     "FILE"
-    "The objects and the places of their faces, as 'place' writes them, with their array \
-    \(default: the cube and the parallelepiped on arrays of 15 x 17, and of any other array the \
-    \whole of it as a flat plate)"
+    "The objects, the places of their faces and the array, as 'place' writes them (default: the \
+    \cube and the parallelepiped on arrays of 15 x 17; for other arrays the whole array as a flat \
+    \plate)"
 
 databaseOption :: String -> Parser FilePath
 databaseOption ofDatabase' =
-  fileOption "database" "FILE" (ofDatabase' ++ "; on a server: postgresql://...")
+  fileOption "database" "FILE" (ofDatabase' ++ " (on a server: postgresql://...)")
 
 -- | 'placementChoice' where a database may be given with a placement beside it, which says where
 -- objects are laid in it.
@@ -79,27 +80,37 @@ placementBeside ofDatabase' =
 placementGiven :: PlacementChoice -> [(String, Bool)]
 placementGiven choice = case choice of
   Shipped -> []
-  Plate -> [("--object", True)]
+  Plate -> [("--sheet", True)]
   InFile _ -> [("--placement", True)]
   InDatabase _ -> [("--database", True)]
 
--- | @--object sheet@, or another choice.
+-- | @--sheet@, or another choice.
 plateOr :: Parser PlacementChoice -> Parser PlacementChoice
 plateOr others =
-  ( Plate
-      <$ valued
-        plate
-        "object"
-        "sheet"
-        "The object is the whole array as a flat plate (default of arrays that are not 15 x 17)"
-  )
+  orAlias
+    "object"
+    (Plate <$ plate)
+    mempty
+    ( flag'
+        Plate
+        ( long "sheet"
+            <> help
+              "The object is the whole array as a flat plate (default for arrays that are not 15 x \
+              \17)"
+        )
+    )
     <|> others
   where
     plate = do
       named <- str
       if objectCalled named == plateName
         then pure ()
-        else readerError "only 'sheet' is named here; --placement FILE has other objects"
+        else readerError "only 'sheet' can be named here; --placement FILE has other objects"
+
+-- | The options that say what objects and symbols there are, as a group of a command's help.
+objectsGroup :: Group
+objectsGroup =
+  Group "The objects and their symbols" (words "sheet placement database shapes network")
 
 -- | The choice where an object of this name is meant: without another one the plate.
 holding :: ObjectName -> PlacementChoice -> PlacementChoice
@@ -135,7 +146,8 @@ chosenPlacement array choice = case choice of
   where
     plated = orUnusable placementMessage . platePlacement . profileShape
 
--- | The same with one object alone, as far as that saves reading: of a database no other is read.
+-- | The placement chosen, where only one of its objects is needed: a database's other objects are
+-- not read.
 chosenWith :: ArrayChoice -> PlacementChoice -> ObjectName -> IO (Profile, Placement)
 chosenWith array choice named = case choice of
   InDatabase file -> chosenStored array file (\_ store -> storedObjects store [named])
@@ -201,7 +213,7 @@ agreeing :: ArrayChoice -> FilePath -> Profile -> IO ()
 agreeing array file profile = unless (nothingChosen array) $ do
   other <- chosenProfile array
   unless (other == profile) . unusable $
-    "the array options describe another array than that of " ++ visibleName (shownName file)
+    "the array's options describe another array than that of " ++ visibleName (shownName file)
       ++ "; leave them out"
 
 -- | 'chosenWith' where nothing is said about the array.

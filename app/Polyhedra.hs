@@ -5,6 +5,7 @@ module Polyhedra
     asUsual,
     readingOptions,
     readingWith,
+    readingGroup,
     formatOption,
     Polyhedron (..),
     polyhedron,
@@ -63,31 +64,38 @@ readingOptions =
         AsWritten
         ( long "keep-triangles"
             <> help
-              "Leave triangles of one plane that share sides as they are (default: one face)"
+              "Keep adjacent triangles of one plane apart (default: they are merged into one face)"
         )
     )
     formatOption
 
--- | The same, given the options that say which faces are put together, and the format.
+-- | The options of 'readingWith' and 'readingOptions', as a group of a command's help.
+readingGroup :: Group
+readingGroup =
+  Group
+    "How files of solids are read"
+    (words "scale tolerance fix-orientation merge-coplanar keep-triangles format")
+
+-- | How polyhedra are read, given the options that say which faces are merged, and the format.
 readingWith :: Parser Merging -> Parser (Maybe SolidFormat) -> Parser SolidReading
 readingWith merging format =
   made
     <$> option
       (positiveReader "a factor")
       ( long "scale" <> metavar "S" <> value 1
-          <> help "Multiply all lengths of the object, as by 25.4 where a file has inches"
+          <> help "Multiply all lengths by this factor; 25.4 for a file in inches (default: 1)"
       )
     <*> optional
       ( valued
           (positiveReader "a length")
           "tolerance"
           "MM"
-          "Put vertices no further apart than this together, leave out faces no further from a \
-          \line, and move vertices no further than this so that faces are flat"
+          "Mend defects up to this size: merge vertices this near, leave out faces this near to a \
+          \line, move vertices by this much to make faces flat"
       )
     <*> switch
       ( long "fix-orientation"
-          <> help "Turn faces so that all are counter-clockwise seen from outside"
+          <> help "Turn faces so that all are counter-clockwise, seen from outside"
       )
     <*> merging
     <*> format
@@ -159,7 +167,7 @@ formatOption =
         [(formatName one, one) | one <- [minBound .. maxBound]]
         "format"
         "FORMAT"
-        "Format of files whose ends do not tell it"
+        "Format of files whose names do not end in one"
         mempty
     )
 
@@ -168,7 +176,7 @@ formatOption =
 formatHeeded :: Maybe SolidFormat -> [String] -> Maybe FilePath -> IO ()
 formatHeeded said subjects output =
   unless (any untold subjects || any chosen output) $
-    leaveOut "names and the ends of files tell what they are" [("--format", isJust said)]
+    leaveOut "the format is known from the names" [("--format", isJust said)]
   where
     untold subject = case readName (plateSize (Shape 1 1) canonicalPitch) subject of
       NoName -> isNothing (formatOfFile subject)
@@ -189,7 +197,7 @@ outputFormat said file = case (formatOfFile file, said) of
 
 endless :: FilePath -> String
 endless file =
-  "the end of " ++ visibleName file ++ " tells no format; give --format "
+  "the name " ++ visibleName file ++ " does not end in a known format; give --format "
     ++ intercalate "|" (map formatName [minBound .. maxBound])
 
 -- | An exact number above 0.
@@ -204,5 +212,5 @@ symbolsOption =
   option
     (positiveReader "a factor")
     ( long "symbols" <> metavar "S" <> value 1
-        <> help "Size of the symbols: S times 25.4 x 31.75 mm from one to the next (default 1)"
+        <> help "Size of the symbols: S times 25.4 x 31.75 mm from one to the next (default: 1)"
     )

@@ -3,6 +3,7 @@ module SensorChoice
   ( SensorChoice (..),
     sensorOption,
     sensorOptions,
+    sensorGroup,
     chosenSensor,
     chosenSpacing,
     chosenSize,
@@ -74,60 +75,70 @@ sensorOptions =
   SensorChoice
     <$> optional
       ( sensorOption
-          "The sensor: ideal, paper, real, hard, or a file as 'sensor --json' prints it \
-          \(default: paper); the options below replace its constants"
+          "The sensor: ideal, paper, real, hard, or a file as 'sensor --json' prints it (default: \
+          \paper). The options below replace its constants"
       )
     <*> number
       "position-error"
       "SIGMA"
-      "Standard deviation of each frame's position, taxels of 1.5875 mm, on both axes (paper: 1)"
+      "Standard deviation of each frame's position on both axes, in taxels of 1.5875 mm (paper: 1)"
     <*> number
       "noise"
       "SD"
-      "Standard deviation of the noise, as a share of full scale (paper: 0.1)"
+      "Standard deviation of the sensor's noise, as a share of full scale (paper: 0.1)"
     <*> number
       "rotation-error"
       "SD"
-      "Standard deviation of each frame's rotation, degrees (paper: 0)"
+      "Standard deviation of each frame's rotation, in degrees (paper: 0)"
     <*> number
       "tilt"
       "DEGREES"
-      "Standard deviation of each frame's two tilts, about the sensor's x and y (paper: 0)"
+      "Standard deviation of each frame's two tilts, about the sensor's x and y axes (paper: 0)"
     <*> optional
       ( valued
           (pairReader 'x' "32x32")
           "frame"
           "WIDTHxHEIGHT"
-          "The sensor's elements, 4x4 to 256x256 (paper: 16x16)"
+          "Size of the sensor in taxels, 4x4 to 256x256 (paper: 16x16)"
       )
     <*> number
       "taxel"
       "MM"
-      "The distance between neighbouring elements; their tabs grow with it (paper: 1.5875)"
+      "Distance between neighbouring taxels; their tabs grow with it (paper: 1.5875)"
     <*> optional
       ( valued
           intReader
           "spacing"
           "TAXELS"
-          "The distance of neighbouring presses, the sensor's taxels (default: half its shorter \
-          \side)"
+          "Distance between neighbouring presses, in the sensor's taxels (default: half its \
+          \shorter side)"
       )
   where
     number name meta = optional . valued decimalReader name meta
+
+-- | The options of 'sensorOptions', as a group of a command's help.
+sensorGroup :: Group
+sensorGroup =
+  Group
+    "The simulated sensor"
+    (words "sensor position-error noise rotation-error tilt frame taxel spacing")
 
 -- | The sensor chosen; leaves with status 2 where it is none.
 chosenSensor :: SensorChoice -> IO Sensor
 chosenSensor choice
   | not (inRange 0 999.999999 (positionSigma choice)) =
-    misused "--position-error is a number of taxels from 0 up"
+    misused "--position-error must be a number of taxels, 0 or more"
   | not (inRange 0 999.999999 (noiseSd choice)) =
-    misused "--noise is a share of full scale from 0 up"
+    misused "--noise must be a share of full scale, 0 or more"
   | not (inRange 0 180 (rotationSigma choice)) =
-    misused "--rotation-error is a number of degrees from 0 to 180"
-  | not (inRange 0 60 (tiltSigma choice)) = misused "--tilt is a number of degrees from 0 to 60"
+    misused "--rotation-error must be a number of degrees from 0 to 180"
+  | not (inRange 0 60 (tiltSigma choice)) =
+    misused
+      "--tilt must be a number of degrees from 0 to \
+      \60"
   | not (all side (concat [[w, h] | Just (w, h) <- [frameSize choice]])) =
-    misused "--frame is from 4x4 to 256x256"
-  | any (< 1) (spacing choice) = misused "--spacing is a number of taxels from 1 up"
+    misused "--frame must be from 4x4 to 256x256 taxels"
+  | any (< 1) (spacing choice) = misused "--spacing must be a number of taxels, 1 or more"
   | otherwise = do
     base <- maybe (pure standardSensor) readSensor (sensorNamed choice)
     taxel <- traverse usableTaxel (taxelSize choice)
@@ -193,7 +204,7 @@ readSensor name = case find ((== name) . presetName) [minBound ..] of
       then readSensorFile name
       else
         misused
-          ( quoted name ++ " is no sensor: write "
+          ( quoted name ++ " is not a sensor: write "
               ++ intercalate ", " (map presetName [minBound ..])
               ++ " or the name of a file as 'pra-tactile sensor --json' prints it"
           )
@@ -230,14 +241,14 @@ bendOption =
           radiusReader
           "bend"
           "MM"
-          "The face is wrapped on a cylinder of this radius, and lengths on it are in arc length \
+          "The face is wrapped on a cylinder of this radius; lengths on it are arc lengths \
           \(default: it is flat)"
         <*> choosing
           "axis"
           (allNamed bendAxisName)
           "bend-axis"
           "x|y"
-          "The cylinder's axis, along the face's x or y (default: y)"
+          "The direction of the cylinder's axis on the face (default: y)"
           (value AboutY)
     )
   where
@@ -252,6 +263,6 @@ bendText :: Bend -> String
 bendText (Bend radius axis) =
   printf "bent about %s with a radius of %g mm" (bendAxisName axis) radius
 
--- | The same where symbols are so many times as large as the paper's, in millimetres of those.
+-- | A bend where symbols are so many times as large as the paper's, in millimetres of the paper's.
 bendBySymbols :: Rational -> Bend -> Bend
 bendBySymbols scale bend = bend {bendRadius = bendRadius bend / fromRational scale}

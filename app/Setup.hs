@@ -64,7 +64,7 @@ alphabetChoice =
         naturalReader
         "q"
         "Q"
-        ("The shapes shipped for the elements of GF(q) (default: " ++ show usualOrder ++ ")")
+        ("Use the shapes shipped for the elements of GF(q) (default: " ++ show usualOrder ++ ")")
     <|> pure Usual
 
 -- | The order of the field whose shapes are meant where nothing is said.
@@ -96,7 +96,7 @@ orderOf choice = case choice of
 readAlphabet :: FilePath -> IO Alphabet
 readAlphabet = readShapes decodeAlphabet
 
--- | The same, of shapes that an alphabet could not have as well.
+-- | The drawings in a file, also of shapes that an alphabet cannot have.
 readDrawings :: FilePath -> IO Drawings
 readDrawings = readShapes decodeDrawings
 
@@ -120,7 +120,8 @@ shapesFile =
   fileOption
     "shapes"
     "FILE"
-    "The shapes drawn in a file, as 'shapes --design' writes it, in place of those shipped"
+    "Use the shapes drawn in this file, as 'shapes --design' writes it, in place of the shipped \
+    \ones"
 
 -- | The shapes of an array's symbols, one an element: those in the file, or those shipped. Leaves
 -- with status 2 where they are not as many.
@@ -176,7 +177,7 @@ networkOption =
   optionalFile
     "network"
     "FILE"
-    "Use the weights in a file, as 'train' writes it (default: the shipped ones)"
+    "Use the weights in this file, as 'train' writes it (default: the shipped ones)"
 
 -- | The network that reads an alphabet, from a file in either form, or shipped: those know the
 -- shipped shapes only. Leaves with status 2 where a file is none, or is of other shapes; a text
@@ -193,8 +194,8 @@ networkFor alphabet weights = case weights of
       stated (Just shippedSeed) (Just "shipped") <$> orUnusable shippedMessage (shippedNetwork q)
     | otherwise ->
       unusable
-        "no shipped network knows these shapes; let 'train --shapes FILE' learn them, and give \
-        \its weights by --network"
+        "no shipped network knows these shapes; train one by 'train --shapes FILE', and give its \
+        \weights by --network"
   where
     q = alphabetSize alphabet
     own = alphabetDigest alphabet
@@ -215,4 +216,4 @@ networkFor alphabet weights = case weights of
         then pure given
         else
           unusable
-            (inFile file ("it was trained on other shapes than the " ++ show q ++ " in force"))
+            (inFile file ("it was trained on other shapes than the " ++ show q ++ " in use"))

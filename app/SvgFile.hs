@@ -20,7 +20,7 @@ orNotSvg file = do
   case target of
     Regular _ _ ->
       when (map toLower (takeExtension file) `elem` others) $
-        misused ("a picture is drawn as SVG only; end the name " ++ visibleName file ++ " in .svg")
+        misused ("a picture is always SVG; end the name " ++ visibleName file ++ " in .svg")
     _ -> pure ()
   where
     others =

@@ -46,14 +46,17 @@ data Asked = Asked
     askedForm :: AnswerForm
   }
 
-command :: Mod CommandFields (IO ExitStatus)
+command :: Subcommand
 command =
   subcommand
     "census"
-    "Every primitive polynomial of a degree, every shape that its sequence fills, and every \
-    \window: whether the windows are distinct, by both roads, and their minimum distance, as a \
-    \CSV file. Running it again continues an unfinished file. Each row ends with a check, the \
-    \first digits of the SHA-256 of the rest of it, so that a damaged file is refused."
+    "Tabulate every array of a size, as CSV"
+    "Write a CSV file of every primitive polynomial of a degree, every shape that its sequence \
+    \fills, and every window. A row says whether the windows are distinct, by two methods, and has \
+    \their minimum distance. Running the command again continues an unfinished file. Each row ends \
+    \with a check, the first digits of the SHA-256 of the rest of the row; a damaged file is \
+    \refused."
+    []
     [ "pra-tactile census --q 4 --degree 4 --output census.csv",
       "pra-tactile census --q 4 --degree 6 --shard 1/8 --output part1.csv"
     ]
@@ -64,21 +67,21 @@ asked =
   Asked
     <$> orderOption
     <*> modulusOption
-    <*> valued naturalReader "degree" "N" "Degree n of the polynomials: arrays of q^n - 1 cells"
-    <*> foldingOption "diagonal or row-major (default: both)"
+    <*> valued naturalReader "degree" "N" "Degree n of the polynomials; arrays have q^n - 1 cells"
+    <*> foldingOption "How sequences fill the array: diagonal or row-major (default: both)"
     <*> many
       ( valued
           shapeReader
           "window"
           "ROWSxCOLUMNS"
-          "A window, instead of all rectangles of n cells and those with one row or column more; \
-          \may be repeated"
+          "A window; may be repeated (default: all rectangles of n cells, and those with one row \
+          \or column more)"
       )
     <*> (fromMaybe (1, 1) <$> shardOption)
     <*> keepWholeSwitch
-      "Continue a damaged file too: rows that are whole are kept, the others made again"
-    <*> fileOption "output" "FILE" "The file to write or to continue"
-    <*> jsonSwitch "Tell as JSON what was written"
+      "Continue a damaged file: keep its whole rows, and make the others again"
+    <*> fileOption "output" "FILE" "The file that is written or continued"
+    <*> jsonSwitch "Report as JSON what was written"
 
 run :: Asked -> IO ExitStatus
 run given = do

@@ -33,11 +33,14 @@ data Options = Options
     given :: Maybe [FilePath]
   }
 
-command :: Mod CommandFields (IO ExitStatus)
+command :: Subcommand
 command =
   subcommand
     "classify"
-    "Tell which symbol an 8 x 12 image shows, upright or upside down, and how likely each is."
+    "Tell which symbol an 8 x 12 image shows"
+    "Tell which symbol an 8 x 12 image shows, upright or upside down, and the probability of each \
+    \symbol."
+    []
     [ "pra-tactile classify images/0_0.pgm --levels 0.25,0.75",
       "pra-tactile classify images/0_0.pgm images/1_0.pgm --levels 0.25,0.75 --json",
       "ls images/*.pgm | pra-tactile classify --batch --levels 0.25,0.75 --classifier means"
@@ -52,27 +55,41 @@ command =
           (allNamed methodName)
           "classifier"
           "network|means|logistic"
-          "The network (default), the nearest class mean by correlation, or logistic regression"
+          "The network (default), the class mean with the highest correlation (means), or logistic \
+          \regression (logistic)"
           (value ByNetwork)
         <*> option
           (pairReader ',' "0.25,0.75")
           ( long "levels"
               <> metavar "LOW,HIGH"
               <> value (0, 1)
-              <> help "What a flat and an embossed taxel are, of full scale (default: 0,1)"
+              <> help
+                "Values of a flat and of an embossed taxel, as shares of full scale \
+                \(default: 0,1)"
           )
         <*> fullScaleOption
-        <*> jsonSwitch "Print a line of JSON an image"
-        <*> ( flag' Nothing (long "batch" <> help "Read a path a line from the standard input")
-                <|> (Just <$> some (pathArgument (metavar "IMAGE" <> action "file")))
+        <*> jsonSwitch "Print a line of JSON for each image"
+        <*> ( flag'
+                Nothing
+                ( long "batch"
+                    <> help
+                      "Read the paths of images from the standard \
+                      \input, one a line"
+                )
+                <|> ( Just
+                        <$> some
+                          ( pathArgument
+                              (metavar "IMAGE" <> action "file" <> help "Images of 8 x 12 pixels")
+                          )
+                    )
             )
 
 run :: AlphabetChoice -> Options -> IO ExitStatus
 run choice options
   | not (fst (levels options) < snd (levels options)) =
-    misused "--levels are two numbers, the lower one first"
+    misused "--levels must be two numbers, the lower one first"
   | method options /= ByNetwork && weights options /= Nothing =
-    misused "--network is of the classifier network"
+    misused "--network is only for --classifier network"
   | otherwise = do
     alphabet <- chosenAlphabet choice
     -- The others need no network, and so there may be none.

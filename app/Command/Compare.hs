@@ -20,22 +20,24 @@ import PraTactile.Symmetry (Symmetry, degreesClockwise)
 import PraTactile.Truth
 import Text.Printf (printf)
 
-command :: Mod CommandFields (IO ExitStatus)
+command :: Subcommand
 command =
   subcommand
     "compare"
-    "Compare an answer with the truth: is the window's centre where the answer says, and to how \
-    \many millimetres?"
+    "Compare an answer of 'decode' with the truth"
+    "Compare an answer with the truth: whether the window's centre is where the answer says, and \
+    \how many millimetres apart they are."
+    []
     [ "pra-tactile probe --object cube --seed 7 --output frames --truth truth.json",
       "pra-tactile decode --json frames > answer.json",
       "pra-tactile compare answer.json truth.json"
     ]
     ( run
-        <$> placementChoice "The same from a database that 'objects --write' made"
+        <$> placementChoice "Take them from a database that 'objects --write' made"
         <*> pathArgument (metavar "ANSWER" <> help "A file with one answer of 'decode --json'")
         <*> pathArgument
           ( metavar "TRUTH"
-              <> help "The file that 'probe --truth' wrote; the two may be exchanged"
+              <> help "The file that 'probe --truth' wrote; the two files may be exchanged"
           )
         <*> jsonSwitch "Print the comparison as JSON"
     )

@@ -38,14 +38,16 @@ import Progress
 import System.FilePath (takeBaseName)
 import Visible
 
-command :: Mod CommandFields (IO ExitStatus)
+command :: Subcommand
 command =
   subcommand
     "conform"
-    "Hold an implementation in any language against the laws: start COMMAND, ask it over JSON \
-    \lines, and tell where it is wrong, by the smallest case (the protocol: \
-    \docs/reference/protocol.md). Exit status 0: certified, or all of the chosen laws held; 1: a \
-    \law failed, or COMMAND erred, hung or crashed; 2: it cannot be started or never answers."
+    "Test an implementation in any language by laws"
+    "Test an implementation in any language against the laws. COMMAND is started and asked over \
+    \JSON lines; the smallest case in which it is wrong is reported. docs/reference/protocol.md \
+    \has the protocol. Exit status 0: certified, or all chosen laws held; 1: a law failed, or \
+    \COMMAND erred, hung or crashed; 2: COMMAND cannot be started or never answers."
+    []
     [ "pra-tactile conform --stage field -- pra-tactile serve",
       "pra-tactile conform --run 'array/*' --cases 20 --json -- pra-tactile serve",
       "pra-tactile conform --stage touch --cases 5 -- pra-tactile serve",
@@ -61,8 +63,8 @@ run options = do
   case (listed options, commandGiven options) of
     (True, []) ->
       Answered <$ printAs (form options) (listText settings suite) (listJson settings suite)
-    (True, _) -> misused "--list runs no command; leave it out"
-    (False, []) -> misused "name the command to put under the suite, as in: conform -- ./decoder"
+    (True, _) -> misused "--list runs no command; leave the command out"
+    (False, []) -> misused "no command to test is named; name one, as in: conform -- ./decoder"
     (False, program : arguments) -> do
       for_ (junit options) orUnwritable
       for_ (badge options) orUnwritable

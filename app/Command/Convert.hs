@@ -35,23 +35,29 @@ data Options = Options
     paths :: [FilePath]
   }
 
-command :: Mod CommandFields (IO ExitStatus)
+command :: Subcommand
 command =
   subcommand
     "convert"
-    "Write images, movies and folders of frames, in any form that is read, as a new folder of PGM \
-    \files with a manifest.json."
+    "Write images, movies or frames as PGM files"
+    "Read images, movies and folders of frames in any known form, and write them as a new folder \
+    \of PGM files with a manifest.json."
+    []
     ["pra-tactile convert data/worked-example/frames --output frames"]
     ( run
         <$> ( Options
                 <$> taxelOption
-                  "The distance between neighbouring taxels (default: as the files say, or 1.5875)"
+                  "Distance between neighbouring taxels (default: as the files state, or 1.5875)"
                 <*> fullScaleOption
-                <*> posesOption "Where the frames were pressed, all of them in their order"
+                <*> posesOption "Where all frames were pressed, in their order"
                 <*> folderOption "output" "A folder that is new or empty"
                 <*> some
                   ( pathArgument
-                      (metavar "IN..." <> action "file" <> help "Images, movies, folders of frames")
+                      ( metavar "IN..." <> action "file"
+                          <> help
+                            "Images, movies or folders of \
+                            \frames"
+                      )
                   )
             )
     )
@@ -75,7 +81,7 @@ run options = do
     "there are " ++ show (length entries) ++ " poses and " ++ show count ++ " frames"
   when (isNothing chosen && several spacings) . unusable $
     "taxels are " ++ intercalate " and " (map (printf "%.4g") spacings)
-      ++ " mm apart; say by --taxel which it is"
+      ++ " mm apart; state the distance by --taxel"
   when (several axes) (unusable "the manifests say different axes; convert one folder at a time")
   -- What is asked of all frames is known before the first is made, so that none is kept.
   images <- length sizes `seq` for felt (asPgm (fullScale options))

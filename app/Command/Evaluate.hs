@@ -8,7 +8,12 @@ module Command.Evaluate
 where
 
 import ArrayChoice
-import Command.Decode (ToleranceChoice (..), toleranceComplaint, toleranceOptions)
+import Command.Decode
+  ( ToleranceChoice (..),
+    toleranceComplaint,
+    toleranceGroup,
+    toleranceOptions,
+  )
 import Control.Monad (foldM, void, when)
 import Control.Parallel.Strategies (parBuffer, rseq, withStrategy)
 import Data.Aeson ((.=))
@@ -73,61 +78,68 @@ data Options = Options
     form :: AnswerForm
   }
 
-command :: Mod CommandFields (IO ExitStatus)
+command :: Subcommand
 command =
   subcommand
     "evaluate"
-    "Simulate presses at random places on the faces in turn, and count how many are decoded \
-    \right, wrong or refused, with stitching and without."
+    "Count right and wrong answers over simulated presses"
+    "Press the simulated sensor at random places, on the faces in turn, and decode each press with \
+    \stitching and without. Count how many answers are right, wrong or refused."
+    [sensorGroup, objectsGroup, toleranceGroup, arrayGroup]
     [ "pra-tactile evaluate --presses 12 --seed 1",
       "pra-tactile evaluate --presses 12 --seed 1 --noise 0.3 --doubt 0.0001",
       "pra-tactile evaluate --presses 12 --seed 1 --sensor real",
       "pra-tactile evaluate --presses 12 --seed 1 --sensor real --tilt 5",
-      "pra-tactile evaluate --presses 12 --seed 1 --foreign 0.5",
+      "pra-tactile evaluate --presses 12 --seed 1 --foreign-presses 0.5",
       "pra-tactile evaluate --presses 12 --seed 1 --foreign-arrays 0.5",
       "pra-tactile evaluate --presses 12 --seed 1 --position-error 2 --any-angle --untold",
       "pra-tactile evaluate --presses 12 --seed 1 --bend 100 --bend-axis x",
-      "pra-tactile evaluate --presses 12 --seed 1 --object sheet",
+      "pra-tactile evaluate --presses 12 --seed 1 --sheet",
       "pra-tactile evaluate --presses 12 --seed 1 --shard 1/3 --output part1.json"
     ]
-    (run <$> arrayChoice <*> options)
+    (run <$> options <*> arrayChoice)
   where
     options =
       Options
-        <$> defaulting 1000 intReader "presses" "N" "How many regions are explored"
+        <$> defaulting 1000 intReader "presses" "N" "Number of presses; each explores a region"
         <*> seedOption (value 1 <> showDefault)
         <*> sizeOption
         <*> sensorOptions
         <*> turnsOption
         <*> bendOption
         <*> optional
-          ( valued
-              decimalReader
-              "foreign"
-              "SHARE"
-              "The share of presses on what is none of ours: our shapes in an arrangement by \
-              \chance, of which every answer is wrong (default: 0, or that of --foreign-arrays)"
+          ( orAlias "foreign" decimalReader mempty $
+              valued
+                decimalReader
+                "foreign-presses"
+                "SHARE"
+                "Share of the presses on random arrangements of the shapes, where every answer is \
+                \wrong (default: 0, or that of --foreign-arrays)"
           )
         <*> optional
           ( valued
               decimalReader
               "foreign-arrays"
               "SHARE"
-              "Of all presses, the share of those on arrays by other polynomials, a part of \
-              \--foreign (default: 0)"
+              "Share of the presses on arrays by other polynomials; it is a part of \
+              \--foreign-presses (default: 0)"
           )
         <*> switch
-          (long "untold" <> help "Do not tell the decoder the position error; it finds what it is")
+          ( long "untold"
+              <> help
+                "Do not tell the decoder the position error; the decoder \
+                \estimates it"
+          )
         <*> toleranceOptions (pure (foreignPrior standardTolerance))
         <*> readerChoice
-        <*> plateOr (placementChoice "The same from a database that 'objects --write' made")
+        <*> plateOr (placementChoice "Take them from a database that 'objects --write' made")
         <*> shardOption
         <*> optionalFile
           "output"
           "FILE"
-          "Write each press to a file, which 'merge' counts; running it again continues an \
-          \unfinished file"
-        <*> jsonSwitch "Print the counts as JSON; of a shard, with each press, for 'merge'"
+          "Write each press to this file, which 'merge' counts; running the command again \
+          \continues an unfinished file"
+        <*> jsonSwitch "Print the counts as JSON; for a shard also each press, for 'merge'"
 
 -- | How the faces lie.
 turnsOption :: Parser Turns
@@ -135,26 +147,26 @@ turnsOption =
   flag'
     (AmongTurns rotations)
     ( long "quarter-turns"
-        <> help "The faces lie in any of four ways (default: upright or turned by 180 degrees)"
+        <> help "The faces lie turned by 0, 90, 180 or 270 degrees (default: by 0 or 180)"
     )
     <|> flag' AnyAngle (long "any-angle" <> help "The faces lie turned by any angle")
-    <|> (TurnedBy <$> angleOption "The faces lie turned clockwise by so many degrees")
+    <|> (TurnedBy <$> angleOption "The faces lie turned clockwise by this angle")
     <|> pure (AmongTurns halfTurns)
 
 -- | The share of all foreign presses: of those on other arrays alone where no other is stated.
 allForeign :: Options -> Maybe Double
 allForeign options = foreignPresses options <|> foreignArrayPresses options
 
-run :: ArrayChoice -> Options -> IO ExitStatus
-run choice options
-  | presses options < 1 = misused "--presses is a number from 1 up"
+run :: Options -> ArrayChoice -> IO ExitStatus
+run options choice
+  | presses options < 1 = misused "--presses must be a number, 1 or more"
   | Just complaint <- toleranceComplaint (tolerance options) = misused complaint
   | not (all (\share -> share >= 0 && share <= 1) (foreignPresses options)) =
-    misused "--foreign is a share from 0 to 1"
+    misused "--foreign-presses must be a share from 0 to 1"
   | not (all (>= 0) arrays && all (<= fromMaybe 1 (foreignPresses options)) arrays) =
-    misused "--foreign-arrays is a share from 0 to that of --foreign"
+    misused "--foreign-arrays must be a share from 0 to that of --foreign-presses"
   | any ((> 1000000000) . snd) (shard options) =
-    misused "--shard I/K has at most a billion parts"
+    misused "--shard I/K must have at most a billion parts"
   | otherwise = do
     real <- chosenSensor (sensor options)
     let feltAs scale = feltBySymbols scale real

@@ -14,16 +14,18 @@ import PraTactile.Field.Structure
 import PraTactile.Format (encodeField)
 import PraTactile.Polynomial (coefficients)
 
-command :: Mod CommandFields (IO ExitStatus)
+command :: Subcommand
 command =
   subcommand
     "field"
-    "Print a field: its modulus, its elements and what each is, and the tables of sums and \
+    "Print a field: its elements and tables"
+    "Print a field: its modulus, its elements with their properties, and the tables of sums and \
     \products."
+    []
     [ "pra-tactile field --q 4",
       "pra-tactile field --q 9 --modulus 1,0,1 --json"
     ]
-    (run <$> fieldChoice <*> jsonSwitch "Print the tables as JSON, codes for elements")
+    (run <$> fieldChoice <*> jsonSwitch "Print the field as JSON, with codes for elements")
 
 run :: FieldChoice -> AnswerForm -> IO ExitStatus
 run choice form = withChosenField choice $ \k -> do

@@ -59,66 +59,75 @@ data Options = Options
     form :: AnswerForm
   }
 
-command :: Mod CommandFields (IO ExitStatus)
+command :: Subcommand
 command =
   subcommand
     "place"
-    "Lay the faces of objects on the array, no two on one cell, by a search; or say that it cannot \
-    \be done, with the reason. What lies already stays where it is. Status 1 unless all are laid."
+    "Lay the faces of objects on the array"
+    "Lay the faces of objects on the array so that no two share a cell, by a search; or report \
+    \that it cannot be done, and why. Faces that lie there already stay where they are. The status \
+    \is 1 unless all faces are laid."
+    [readingGroup, arrayGroup]
     [ "pra-tactile place cube parallelepiped --output placement.json",
       "pra-tactile place box:60x60x60 --symbols 1/2 --json",
       "pra-tactile place cube --smallest",
-      "pra-tactile place lid=box:120x80x20 --face 'lid:V1 V2 V3 V4' --upright"
+      "pra-tactile place lid=box:120x80x20 --face 'lid:V1 V2 V3 V4' --as-named"
     ]
     ( run
-        <$> arrayChoice
-        <*> ( Options
+        <$> ( Options
                 <$> many
                   ( argument
                       pathReader
                       ( metavar "OBJECT..." <> action "file"
                           <> help
-                            "Files or names of polyhedra, as 'solid' takes them; NAME= before one \
+                            "Files or names of polyhedra, as 'solid' takes them; NAME= in front \
                             \names the object"
                       )
                   )
                 <*> optionalFile
                   "objects"
                   "FILE"
-                  "More objects, one a line; - is the standard input"
+                  "A file that lists more objects, one a line; - is the standard input"
                 <*> optionalFile
                   "onto"
                   "PLACEMENT"
-                  "A file that 'place' wrote: what lies there stays, and the objects are added"
+                  "Add the objects to this file that 'place' wrote; its faces stay where they are"
                 <*> switch
                   ( long "smallest"
                       <> help
-                        "On the smallest array over GF(q) on which all faces are begun where they \
-                        \have the most symbols, by that of its windows that lies whole on the \
-                        \most faces; q is 4 unless --q says another"
+                        "Choose the smallest array over GF(q) that has room for all faces, each \
+                        \begun where it has the most symbols; and of its windows the one that lies \
+                        \wholly on the most faces. --q is 4 unless given"
                   )
                 <*> many
                   ( valued
                       faceReader
                       "face"
                       "OBJECT:VERTICES"
-                      "Lay this face of the object, and of it only those named so (default: all \
-                      \faces that have room for a symbol)"
+                      "Lay this face, and of its object only faces named by --face; may be \
+                      \repeated (default: all faces that have room for a symbol)"
                   )
                 <*> optional symbolsOption
-                <*> flag
-                  AnyVertex
-                  AsNamed
-                  ( long "upright"
-                      <> help
-                        "Begin each face's frame at the first vertex of its name (default: where \
-                        \it has the most symbols, unless there is no placement then)"
-                  )
+                <*> ( orAliasFlag
+                        "upright"
+                        AsNamed
+                        ( flag'
+                            AsNamed
+                            ( long "as-named"
+                                <> help
+                                  "Begin each face at the first vertex of its name (default: where \
+                                  \it has the most symbols, or elsewhere if there is no placement \
+                                  \then)"
+                            )
+                        )
+                        <|> pure AnyVertex
+                    )
                 <*> seedOption (value 1 <> showDefault)
                 <*> readingOptions
-                <*> optionalFile "output" "FILE" "Write the placement to a file"
+                <*> optionalFile "output" "FILE" "Write the placement to this file"
                 <*> jsonSwitch "Print the report as JSON"
             )
+        <*> arrayChoice
     )
 
 -- | @OBJECT:VERTICES@, the vertices parted by spaces or commas.
@@ -126,14 +135,19 @@ faceReader :: ReadM (ObjectName, FaceName)
 faceReader = eitherReader $ \text -> case break (== ':') text of
   (owner@(_ : _), ':' : walk@(_ : _)) ->
     Right (objectCalled owner, readFaceName [if c == ',' then ' ' else c | c <- walk])
-  _ -> Left (quoted text ++ " is no face, such as 'cube:C1 C2 C3 C4'")
+  _ -> Left (quoted text ++ " is not a face; write OBJECT:VERTICES, as in 'cube:C1 C2 C3 C4'")
 
-run :: ArrayChoice -> Options -> IO ExitStatus
-run choice options = do
+run :: Options -> ArrayChoice -> IO ExitStatus
+run options choice = do
   mapM_ orUnwritable (output options)
   (chosen, between, before) <- ground choice options
   names <- (subjects options ++) <$> maybe (pure []) objectLines (listed options)
-  when (null names && null (faces options)) (misused "name an object; 'solid' lists what there is")
+  when
+    (null names && null (faces options))
+    ( misused
+        "no object is named; 'pra-tactile solid \
+        \--help' has the names of solids"
+    )
   formatHeeded (readingFormat (reading options)) (map sourceOf names) Nothing
   new <- for names (namedSolid (profileShape <$> chosen) between (reading options))
   let known = maybe [] placementSolids before ++ new
@@ -281,7 +295,11 @@ smallestArrays choice cells = do
 -- already.
 ground :: ArrayChoice -> Options -> IO (Maybe Profile, Pitch, Maybe Placement)
 ground choice options = case onto options of
-  Just _ | smallest options -> misused "--smallest looks for an array, and --onto names one"
+  Just _
+    | smallest options ->
+      misused
+        "--smallest looks for an array, but --onto has one; give \
+        \one of them"
   Nothing | smallest options -> pure (Nothing, sized (fromMaybe 1 (symbols options)), Nothing)
   Nothing -> do
     profile <- chosenProfile choice
@@ -292,9 +310,9 @@ ground choice options = case onto options of
     unless (nothingChosen choice) $ do
       other <- chosenProfile choice
       unless (other == profile) . unusable $
-        "the array options describe another array than that of " ++ visibleName file
+        "the array's options describe another array than that of " ++ visibleName file
     unless (all ((== placementPitch before) . sized) (symbols options)) . unusable $
-      "--symbols says another size than that of the symbols of " ++ visibleName file
+      "--symbols gives another size than the symbols have in " ++ visibleName file
     pure (Just profile, placementPitch before, Just before)
   where
     sized k = let Pitch right down = canonicalPitch in Pitch (k * right) (k * down)

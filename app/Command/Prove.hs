@@ -23,20 +23,22 @@ import PraTactile.Window.Proof
 import Progress
 import Visible
 
-command :: Mod CommandFields (IO ExitStatus)
+command :: Subcommand
 command =
   subcommand
     "prove"
-    "Prove or refute that the content of every window tells its position: by visiting every \
-    \window, and by the rank of the window's cells. FILE decides any array, whoever made it."
+    "Prove or refute that all windows are distinct"
+    "Decide whether every window has a content of its own, so that its content tells its position. \
+    \Two methods are used: visiting every window, and the rank of the window's cells. FILE may \
+    \hold any array, whoever made it."
+    [arrayGroup]
     [ "pra-tactile prove --json",
       "pra-tactile prove --q 4 --polynomial 3,2,1,0,1 --shape 15x17 --window 1x4 --surface sheet",
       "pra-tactile prove --mask '##./.##'",
       "pra-tactile prove array.csv --window 2x2"
     ]
     ( run
-        <$> arrayChoice
-        <*> maskOption
+        <$> maskOption
         <*> surfaceOption
         <*> jsonSwitch "Print the verdict as JSON"
         <*> optional
@@ -44,14 +46,15 @@ command =
               ( metavar "FILE"
                   <> action "file"
                   <> help
-                    "A CSV file of codes, one row a line, instead of a pseudorandom array; needs \
-                    \--window or --mask; --q is the largest code and one more unless given"
+                    "A CSV file of codes, one row a line, in place of a pseudorandom array. It \
+                    \needs --window or --mask; --q is one more than the largest code unless given"
               )
           )
+        <*> arrayChoice
     )
 
-run :: ArrayChoice -> Maybe Mask -> Maybe Surface -> AnswerForm -> Maybe FilePath -> IO ExitStatus
-run choice drawn on form source = do
+run :: Maybe Mask -> Maybe Surface -> AnswerForm -> Maybe FilePath -> ArrayChoice -> IO ExitStatus
+run drawn on form source choice = do
   result <- maybe ofProfile ofFile source choice drawn on
   _ <- whileWorking working (length (verdictText result))
   printAs
@@ -92,7 +95,7 @@ ofFile file choice drawn on = do
     (Just mask, Nothing) -> pure mask
     (Nothing, Just shape) -> orUnusable windowMessage (rectangle shape)
     (Nothing, Nothing) ->
-      misused "say what a window of the file is: --window ROWSxCOLUMNS or --mask DRAWING"
+      misused "a window of the file is not known; give --window ROWSxCOLUMNS or --mask DRAWING"
     (Just _, Just _) -> misused "--mask already says what a window is; leave out --window"
   grid <- readGrid q file
   found <-

@@ -22,13 +22,15 @@ import PraTactile.PlainText (plainUtf8)
 import PraTactile.Polynomial
 import PraTactile.Sequence.Synthesis
 
-command :: Mod CommandFields (IO ExitStatus)
+command :: Subcommand
 command =
   subcommand
     "synthesise"
-    "Find the shortest shift register that puts out the symbols read from the standard input, \
-    \codes or powers parted by spaces, commas or line ends; status 1 if the symbols do not \
-    \determine it."
+    "Find the shortest shift register for given symbols"
+    "Find the shortest shift register that puts out the symbols on the standard input. Symbols are \
+    \codes or powers, separated by spaces, commas or line ends. The status is 1 if they do not \
+    \determine the register."
+    []
     [ "pra-tactile sequence --from 1000 --length 8 | pra-tactile synthesise --q 4",
       "echo '0 0 1 0 1 1 1' | pra-tactile synthesise --q 2 --json"
     ]

@@ -30,16 +30,18 @@ import System.IO (stdout)
 data Format = Csv | C | Mem
   deriving stock (Eq, Show)
 
-command :: Mod CommandFields (IO ExitStatus)
+command :: Subcommand
 command =
   subcommand
     "table"
-    "Print the memory table: each packed window's position, as CSV, as a C array, or as a memory \
-    \image for $readmemh."
+    "Print the memory table from windows to positions"
+    "Print the memory table, which has the position of each packed window: as CSV, as a C array, \
+    \or as a memory image for $readmemh."
+    [arrayGroup]
     [ "pra-tactile table --format csv",
       "pra-tactile table --format c > table.h"
     ]
-    (run <$> arrayChoice <*> surfaceOption <*> format <*> outputFileOption)
+    (run <$> surfaceOption <*> format <*> outputFileOption <*> arrayChoice)
   where
     format =
       option
@@ -48,7 +50,7 @@ command =
             <> metavar "FORMAT"
             <> completeWith (map fst formats)
             <> value Csv
-            <> help "csv, c, or mem, which is what $readmemh reads (default: csv)"
+            <> help "What is printed: csv, c, or mem, which $readmemh reads (default: csv)"
         )
     formats = [("csv", Csv), ("c", C), ("mem", Mem)]
     -- The memory image is also known by what reads it.
@@ -57,8 +59,8 @@ command =
       "readmemh" -> "mem"
       name -> name
 
-run :: ArrayChoice -> Maybe Surface -> Format -> Maybe FilePath -> IO ExitStatus
-run choice chosen format output = do
+run :: Maybe Surface -> Format -> Maybe FilePath -> ArrayChoice -> IO ExitStatus
+run chosen format output choice = do
   profile <- chosenProfile choice
   let on = fromMaybe (profileSurface profile) chosen
       sizeAndText table = (tableSize table, rendered format profile on table)

@@ -57,12 +57,14 @@ data Options = Options
     output :: FilePath
   }
 
-command :: Mod CommandFields (IO ExitStatus)
+command :: Subcommand
 command =
   subcommand
     "train"
-    "Train a network on images of symbols from a seed and write its weights; the default seed and \
-    \regimen give the shipped weights of shipped shapes."
+    "Train a network on a set of shapes"
+    "Train a network on images of symbols, from a seed, and write its weights. With the default \
+    \seed and regimen, shipped shapes give the shipped weights."
+    []
     [ "pra-tactile train --output network.txt",
       "pra-tactile train --regimen stopped --seed 1 --trace trace.csv --output network.json"
     ]
@@ -75,31 +77,43 @@ command =
           (("shipped", AsShipped) : [(trainingName t, ByPaper t) | t <- [Stated, Stopped, Manual]])
           "regimen"
           "REGIMEN"
-          "shipped (on rendered symbols, anew each round; default), or the paper's three stages on \
-          \pressed ones, each ending at an error of 0 (stated), the clean ones at 0.1 (stopped), \
-          \or at 0.1, 0.6 and 0.1 as in the toolbox's manual (manual)"
+          "shipped (default): on drawn symbols, new ones each round. The others are the paper's \
+          \three stages on pressed symbols; they end at an error of 0 (stated), of 0.1 in the \
+          \clean stages (stopped), or of 0.1, 0.6 and 0.1, as in the toolbox's manual (manual)"
           (value AsShipped)
         <*> flag
           True
           False
           ( long "without-noise"
-              <> help "No noisy images: of the paper's stages the middle one is left out"
+              <> help "Train without noisy images; of the paper's stages, leave out the middle one"
           )
         <*> seedOption (value shippedSeed <> showDefault)
-        <*> optionalFile "trace" "FILE.csv" "Write every epoch: error, gradient, rate and step"
+        <*> optionalFile
+          "trace"
+          "FILE.csv"
+          "Write every epoch to this file: error, gradient, rate \
+          \and step"
         <*> flag
           True
           False
           ( long "uncalibrated"
               <> help
-                "Do not press symbols to find how sure the network is: it is as sure as the \
-                \shipped one"
+                "Do not press symbols to calibrate the network's probabilities; take the \
+                \calibration of the shipped one"
           )
-        <*> optionalFile
-          "calibration"
+        <*> optional
+          ( orAlias "calibration" pathReader (action "file") $
+              fileOption
+                "network-calibration"
+                "FILE"
+                "Write the calibration of the network's probabilities to this file, for weights \
+                \that are written as text"
+          )
+        <*> fileOption
+          "output"
           "FILE"
-          "Write how sure the network is, as JSON has it, for weights as text"
-        <*> fileOption "output" "FILE" "The file of weights: JSON if its name ends in .json"
+          "Write the weights to this file, as JSON if its name ends \
+          \in .json"
 
 run :: AlphabetChoice -> Options -> IO ExitStatus
 run symbols options = do

@@ -38,25 +38,45 @@ data Work
   | -- | Make all that are in a folder again, and compare.
     Check FilePath
 
-command :: Mod CommandFields (IO ExitStatus)
+command :: Subcommand
 command =
   subcommand
     "vectors"
-    "Write test vectors, a JSON file an operation and profile, FOLDER/OPERATION/PROFILE.json, or \
-    \exact.json of an operation that needs no profile; or \
-    \make those in a folder again and compare."
+    "Write or verify test vectors"
+    "Write test vectors, a JSON file for each operation and profile: \
+    \FOLDER/OPERATION/PROFILE.json, or exact.json for an operation that needs no profile. Or make \
+    \the vectors of a folder again and compare."
+    []
     [ "pra-tactile vectors --output vectors --operation locate",
-      "pra-tactile vectors --check data/vectors"
+      "pra-tactile vectors --compare data/vectors"
     ]
-    (run <$> (making <|> Check <$> folderOption "check" "Check the vectors in this folder"))
+    (run <$> (making <|> Check <$> checking))
   where
     operations = [(nameOf one, one) | one <- codeOperations ++ definedOperations]
+    checking =
+      orAlias
+        "check"
+        pathReader
+        (action "directory")
+        (folderOption "compare" "Make the vectors in this folder again, and compare")
     making =
       Make
         <$> folderOption "output" "Write the vectors here; files of the same name are replaced"
         <*> optional
-          (choosing "operation" operations "operation" "NAME" "Of one operation" mempty)
-        <*> optionalFile "profile" "FILE" "Under the profile in this file (default: those shipped)"
+          ( choosing
+              "operation"
+              operations
+              "operation"
+              "NAME"
+              "Write only the vectors of this \
+              \operation"
+              mempty
+          )
+        <*> optionalFile
+          "profile"
+          "FILE"
+          "Use the profile in this file (default: the shipped \
+          \profiles)"
         <*> seedOption (value 1 <> showDefault)
 
 run :: Work -> IO ExitStatus
