@@ -64,7 +64,7 @@ conformOptions =
     <*> switch (long "skip-must-fail" <> help "Try the skipped laws all the same; they must fail")
     <*> optionalFile "known-failures" "FILE" knownHelp
     <*> many (fileOption "profile" "FILE" profileHelp)
-    <*> usually usualSeed intReader "seed" "N" "Seed of every random draw"
+    <*> usually usualSeed intReader "seed" "N" "Seed of all random draws"
     <*> usually usualCases intReader "cases" "N" "Cases for each law that does not try all of them"
     <*> usually usualTimeout decimalReader "timeout" "SECONDS" "Time limit for each reply"
     <*> usually usualLimit decimalReader "limit" "SECONDS" "Time limit for the whole run"
@@ -108,7 +108,7 @@ conformOptions =
       \repeated"
     patternOption name text = strOption (long name <> metavar "PATTERN" <> help text)
     tokenReader = eitherReader $ \text ->
-      maybe (Left (visible (take 40 text) ++ " is not a token of a report")) Right (readToken text)
+      maybe (Left (visible (take 40 text) ++ " is no token of a report")) Right (readToken text)
 
 usualSeed, usualCases, usualParallel :: Int
 usualSeed = 1

@@ -21,7 +21,8 @@ where
 
 import Control.Exception
 import Control.Monad (void)
-import Data.Char (toLower)
+import Data.Char (isAlphaNum, toLower)
+import Data.List (stripPrefix)
 import GHC.IO.Exception (IOException (..))
 import System.Environment (getArgs, getProgName)
 import System.Exit (ExitCode (..), exitWith)
@@ -68,12 +69,26 @@ leaveOut why options = case [name | (name, True) <- options] of
 misused :: String -> IO a
 misused = throwIO . Misused
 
--- | A command by its name, in which arguments may be 'misused'.
-helpNamed :: String -> IO a -> IO a
-helpNamed name run =
+-- | A command by its name, in which arguments may be 'misused'; given which of its options have an
+-- older name. A complaint names an option as it was given.
+helpNamed :: String -> [(String, String)] -> IO a -> IO a
+helpNamed name older run =
   run `catch` \(Misused complaint) -> do
     program <- getProgName
-    unusable (namingHelp [program, name] complaint)
+    arguments <- getArgs
+    unusable (namingHelp [program, name] (inNamesGiven older arguments complaint))
+
+-- | A complaint in which an option has its older name, if that is among the arguments.
+inNamesGiven :: [(String, String)] -> [String] -> String -> String
+inNamesGiven older arguments complaint = foldl renamed complaint given
+  where
+    given = [names | names@(_, old) <- older, any ((== old) . takeWhile (/= '=')) arguments]
+    renamed text names@(new, old) = case text of
+      [] -> []
+      c : others -> case stripPrefix new text of
+        Just rest | not (any continues (take 1 rest)) -> old ++ renamed rest names
+        _ -> c : renamed others names
+    continues c = isAlphaNum c || c == '-'
 
 -- | What is wrong with arguments, with the words of the command whose help says what is right.
 namingHelp :: [String] -> String -> String

@@ -30,7 +30,7 @@ bytesText bytes
 orTooMuch :: String -> String -> Integer -> IO ()
 orTooMuch what instead bytes =
   when (bytes > mostBytes) . unusable $
-    what ++ " would hold about " ++ bytesText bytes ++ " at once, and no more than "
+    what ++ " would hold about " ++ bytesText bytes ++ " at once; at most "
       ++ bytesText mostBytes
-      ++ " are taken: "
+      ++ " are allowed: "
       ++ instead

@@ -36,8 +36,7 @@ import Visible
 namedSolid :: Maybe Shape -> Pitch -> SolidReading -> String -> IO Solid
 namedSolid known between reading subject = do
   when (isNothing known && from == "sheet") . misused $
-    "the sheet is as large as its array, and has no size of its own for which --smallest could "
-      ++ "look; name a box"
+    "the sheet is as large as its array, so --smallest cannot choose the array; name another solid"
   it <- polyhedronMesh <$> polyhedron (fromMaybe (Shape 1 1) known) between reading from
   when (mendMerging mending == TrianglesMerged && isNothing (mendTolerance mending)) $
     for_ (nearlyMerged it) $ \(mm, faces) ->

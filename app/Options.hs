@@ -46,6 +46,7 @@ where
 import Data.ByteString (ByteString)
 import qualified Data.ByteString.Char8 as Bytes
 import ExitStatus
+import Numeric (showFFloat)
 import Numeric.Natural (Natural)
 import Options.Applicative hiding (columns, command)
 import qualified Options.Applicative as Parser (command)
@@ -97,7 +98,7 @@ subcommand name brief does groups examples options =
       subcommandBody = optionsInGroups groups parser
     }
   where
-    parser = helpNamed name <$> options <**> helper
+    parser = helpNamed name (olderNames options) <$> options <**> helper
     exampleText = vcatChunks (map stringChunk (heading : map ("  " ++) examples))
     heading = if length examples == 1 then "Example:" else "Examples:"
 
@@ -127,11 +128,39 @@ showing wanted = go
       MultP f a -> MultP (go f) (go a)
       AltP a b -> AltP (go a) (go b)
       BindP a next -> BindP (go a) (go . next)
-    longNames :: OptReader b -> [String]
-    longNames what = case what of
-      OptReader names _ _ -> [name | OptLong name <- names]
-      FlagReader names _ -> [name | OptLong name <- names]
-      _ -> [""]
+
+-- | The long names of an option; an argument has the empty name.
+longNames :: OptReader a -> [String]
+longNames what = case what of
+  OptReader names _ _ -> [name | OptLong name <- names]
+  FlagReader names _ -> [name | OptLong name <- names]
+  _ -> [""]
+
+-- | The options of a parser that have an older name, made by 'orAlias': name and older name.
+olderNames :: Parser a -> [(String, String)]
+olderNames parser = case parser of
+  NilP _ -> []
+  OptP _ -> []
+  MultP f a -> olderNames f ++ olderNames a
+  AltP (OptP old) new
+    | propVisibility (optProps old) == Internal ->
+      [ ("--" ++ name, "--" ++ older)
+        | name <- take 1 (namesIn new),
+          older <- longNames (optMain old)
+      ]
+        ++ olderNames new
+  AltP a b -> olderNames a ++ olderNames b
+  BindP a _ -> olderNames a
+  where
+    namesIn :: Parser b -> [String]
+    namesIn one = case one of
+      NilP _ -> []
+      OptP found
+        | propVisibility (optProps found) == Internal -> []
+        | otherwise -> longNames (optMain found)
+      MultP f a -> namesIn f ++ namesIn a
+      AltP a b -> namesIn a ++ namesIn b
+      BindP a _ -> namesIn a
 
 -- | An option that also has an older name, which the help does not show: the older name, the
 -- option's reader, its further properties, and the option.
@@ -150,13 +179,26 @@ valued reader name meta text = option reader (long name <> metavar meta <> help 
 -- | An option with a default, which its help shows.
 defaulting :: Show a => a -> ReadM a -> String -> String -> String -> Parser a
 defaulting standard reader name meta text =
-  option reader (long name <> metavar meta <> value standard <> showDefault <> help text)
+  option
+    reader
+    (long name <> metavar meta <> value standard <> showDefaultWith plainly <> help text)
 
 -- | An option with a default, which its help shows and its command takes: 'Nothing' where it was
 -- not given, so that a command can tell.
 usually :: Show a => a -> ReadM a -> String -> String -> String -> Parser (Maybe a)
 usually standard reader name meta text =
-  optional (valued reader name meta (text ++ " (default: " ++ show standard ++ ")"))
+  optional (valued reader name meta (text ++ " (default: " ++ plainly standard ++ ")"))
+
+-- | A value as help shows it: numbers without an exponent.
+plainly :: Show a => a -> String
+plainly shown = case reads text of
+  [(number, "")] | any (`elem` ".e") text -> withoutZeros (showFFloat Nothing (number :: Double) "")
+  _ -> text
+  where
+    text = show shown
+    withoutZeros digits = case break (== '.') digits of
+      (whole, ".0") -> whole
+      _ -> digits
 
 -- | An option whose value is a file: its name, what stands for its value, and its help.
 fileOption :: String -> String -> String -> Parser FilePath
@@ -236,7 +278,9 @@ surfaceOption :: Parser (Maybe Surface)
 surfaceOption =
   optional (choosing "surface" (allNamed surfaceName) "surface" "SURFACE" text mempty)
   where
-    text = "torus, twisted-torus or sheet (default: the torus of the folding)"
+    text =
+      "Surface of the array: torus, twisted-torus or sheet (default: the one that the array \
+      \states)"
 
 -- | @--radius N@, with its help; the guaranteed radius without it.
 radiusOption :: String -> Parser Radius

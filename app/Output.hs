@@ -200,10 +200,8 @@ openPart name file = do
   when
     inTheWay
     ( unusable
-        ( visibleName part
-            ++ " is in the way; it must be gone before "
-            ++ visibleName name
-            ++ " can be written"
+        ( "cannot write " ++ visibleName name
+            ++ (": " ++ visibleName part ++ " is in the way; remove it")
         )
     )
   handle <- openBinaryFile part ReadWriteMode
@@ -291,7 +289,7 @@ orTaken path = do
         Left problem
           | isFolder ->
             unusable ("cannot read " ++ visibleName path ++ ": " ++ systemReason problem)
-          | otherwise -> unusable (visibleName path ++ " is no folder" ++ needed)
+          | otherwise -> unusable (visibleName path ++ " is not a folder" ++ needed)
 
 -- | Why a file or folder cannot be written.
 writeMessage :: FilePath -> IOException -> String

@@ -64,7 +64,7 @@ run options = do
     (True, []) ->
       Answered <$ printAs (form options) (listText settings suite) (listJson settings suite)
     (True, _) -> misused "--list runs no command; leave the command out"
-    (False, []) -> misused "no command to test is named; name one, as in: conform -- ./decoder"
+    (False, []) -> misused "name the command to test, as in: conform -- ./decoder"
     (False, program : arguments) -> do
       for_ (junit options) orUnwritable
       for_ (badge options) orUnwritable

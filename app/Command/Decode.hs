@@ -158,10 +158,10 @@ toleranceOptions foreignThings =
       decimalReader
       "doubt"
       "P"
-      "Answer if the answer is wrong with a probability of at most P"
+      "Largest tolerated probability that the answer is wrong"
     <*> radiusOption
-      "Answer if at most N recognised symbols disagree (default: as many as the recognised symbols \
-      \guarantee to correct)"
+      "Answer although up to N recognised symbols disagree (default: as many as the recognised \
+      \symbols guarantee to correct)"
     <*> foreignThings
     <*> optional
       ( valued

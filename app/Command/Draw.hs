@@ -64,7 +64,7 @@ command =
                 <$> argument
                   (namedReader "subject" subjects)
                   ( metavar "solid|sheet|placement|encoded" <> completeWith (map fst subjects)
-                      <> help "What is drawn"
+                      <> help "What to draw"
                   )
                 <*> optional
                   ( valued

@@ -219,9 +219,9 @@ kindOf options = case (asNet options, format options) of
       ]
   where
     none =
-      visibleName (output options) ++ " must end in one of "
+      visibleName (output options) ++ " ends in none of "
         ++ intercalate ", " endings
-        ++ ", the forms that are written"
+        ++ ", the forms that emboss writes"
 
 -- | Whether one file is made, and not a folder of some.
 isOneFile :: Options -> Making -> Bool
@@ -236,7 +236,7 @@ orMisnamed :: Bool -> Making -> FilePath -> IO ()
 orMisnamed oneFile kind name
   | oneFile =
     unless (null ending || ending == own) . misused $
-      visibleName name ++ " must end in " ++ own ++ ", the form that is written"
+      visibleName name ++ " does not end in " ++ own ++ ", the form that is written"
   | otherwise =
     when (ending `elem` endings) . misused $
       visibleName name

@@ -82,15 +82,14 @@ optionsParser =
       decimalReader
       "doubt"
       "P"
-      "With probabilities or --foreign: answer if the answer is wrong with a probability of at \
-      \most P"
+      "With probabilities or --foreign: the largest tolerated probability that the answer is wrong"
     <*> optional
       ( valued
           decimalReader
           "foreign"
           "P"
-          "Prior probability that the patch is not from the array, and its symbols are independent \
-          \and uniform (default: this is not considered)"
+          "Prior probability that the patch is not from the array; its symbols are then \
+          \independent and uniform (default: this is not considered)"
       )
     <*> turningOption
     <*> flag

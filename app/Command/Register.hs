@@ -81,8 +81,7 @@ pairingOptions =
       decimalReader
       "confidence"
       "P"
-      "Answer if the answer is right with at \
-      \least this probability"
+      "Smallest probability that the answer is right; below it, refuse"
 
 run ::
   Either () PairRequest ->

@@ -61,7 +61,10 @@ command =
         (folderOption "compare" "Make the vectors in this folder again, and compare")
     making =
       Make
-        <$> folderOption "output" "Write the vectors here; files of the same name are replaced"
+        <$> folderOption
+          "output"
+          "Write the vectors into this folder; files of the same names are \
+          \replaced"
         <*> optional
           ( choosing
               "operation"

@@ -32,11 +32,11 @@ embossMessage e = case e of
       ++ show y
       ++ " below its upper left corner: no solid is so thin"
   TooManySymbols count ->
-    show count ++ " symbols are more than are raised at once, " ++ show mostSymbols
-      ++ "; lay fewer, or name one --face"
+    show count ++ " symbols are too many to raise at once; lay at most " ++ show mostSymbols
+      ++ ", or name one --face"
   TooThin height thickness ->
     "the symbols are " ++ exactText height ++ " mm high; a plate of " ++ exactText thickness
-      ++ " mm is not thicker than that: choose another --thickness"
+      ++ " mm is not thicker than that: choose a larger --thickness"
 
 -- | Why an object cannot be written with coordinates of this precision.
 misshapenMessage :: ObjectName -> Precision -> Misshapen -> String
@@ -64,8 +64,8 @@ misshapenMessage object precision e = case e of
          \smaller symbols"
   Irrational points ->
     "coordinates of " ++ counted points "point" "points"
-      ++ " are no fractions, and the format json has fractions alone; choose another --format, or \
-         \another end of the file's name"
+      ++ "are no fractions, but the format json holds only fractions; choose another --format, or \
+         \another ending of the file's name"
   where
     (held, instead) = case precision of
       Binary32 ->

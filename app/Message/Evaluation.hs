@@ -19,10 +19,10 @@ evaluationFileMessage file fault = case fault of
   DamagedPress line why -> formatMessage (on line) "a press" why ++ cut
   CheckOfPress line -> on line ++ " is damaged: its check does not fit the rest" ++ cut
   OtherPress line -> on line ++ " has another press than the one that belongs there" ++ cut
-  OtherEnding line -> on line ++ " is not what the presses before it come to" ++ cut
+  OtherEnding line -> on line ++ " is not the total of the presses before it" ++ cut
   where
     on line = visibleName file ++ ": line " ++ show line
-    cut = "; cut it off with all after it, and run its shard again"
+    cut = "; delete it and all lines after it, and run its shard again"
 
 -- | Where a file that is to be continued has something else in it, perhaps of another shard: the
 -- keys in which its first line differs.

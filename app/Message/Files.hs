@@ -48,7 +48,7 @@ filesMessage e = case e of
     path
       ++ " is larger than "
       ++ show (limit `div` (1024 * 1024))
-      ++ " MiB, which no input of this kind needs"
+      ++ " MiB, the limit for inputs of this kind"
   Unreadable path why -> "cannot read " ++ path ++ ": " ++ why
   where
     header = intercalate "," (map Text.unpack manifestHeader)
@@ -60,8 +60,8 @@ sourceMessage folder e = case e of
     folder ++ ": the frame " ++ show name ++ " is not a file in the manifest's folder"
   PositionAbsent name ->
     folder ++ ": the manifest does not say where " ++ show name
-      ++ " was pressed (x_mm, y_mm, rotation_deg), which only 'calibrate' can do without"
-  ImageAbsent name -> folder ++ ": the frame " ++ show name ++ " is not there"
+      ++ " was pressed (x_mm, y_mm, rotation_deg); only 'calibrate' needs no positions"
+  ImageAbsent name -> folder ++ ": the frame " ++ show name ++ " is missing"
   ImageSize name (w, h) (w', h') ->
     (folder </> name) ++ " is " ++ by w h ++ " taxels; the manifest says " ++ by w' h'
   ImageRefused name why -> fileMessage (folder </> name) why
@@ -72,12 +72,12 @@ sourceMessage folder e = case e of
   CalibrationRefused why -> folder ++ ": " ++ calibrationMessage why
   ImagePitch pitch ->
     rangeText (folder ++ ": the distance of its pixels in millimetres") taxelPitches
-      ++ "; it is said to be "
+      ++ "; it is stated as "
       ++ show pitch
   ImageTooLarge (w, h) ->
     folder ++ " would have " ++ by w h ++ " pixels of 1.5875 mm; at most "
       ++ show maxImagePixels
-      ++ " are examined; is --taxel right?"
+      ++ " are allowed; is --taxel right?"
   where
     by w h = show w ++ " x " ++ show h
 

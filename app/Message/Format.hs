@@ -34,7 +34,7 @@ formatMessage file wanted e = case e of
 jsonMessage :: JsonError -> String
 jsonMessage e = case e of
   NoText -> "it is empty"
-  TooDeep -> "it has more than " ++ show deepest ++ " brackets within each other"
+  TooDeep -> "its brackets are nested more than " ++ show deepest ++ " deep"
   TooLong -> "it has a number of more than " ++ show longestNumber ++ " digits"
   NotUtf8 -> "it is not UTF-8 text"
   JsonInEncoding encoding -> "it" ++ encodingMessage encoding
@@ -94,7 +94,7 @@ misfitMessage misfit = case misfit of
   BeyondMillion -> "a number of at most a million is needed"
   NotPair -> "a list of two is needed"
   NotShard -> "a shard is a list of two numbers, the first of them from 1 to the second"
-  NotListed -> "its presses are not listed in it, or its first line is cut off"
+  NotListed -> "it does not list its presses, or its first line is cut off"
   NotOutcome -> "an outcome has one key: right or wrong, with a doubt, or refused, with a reason"
   NotShape -> "a shape is a list of two numbers, rows and columns"
   NotCell -> "a cell of the mask is a list of two numbers, row and column"
@@ -121,7 +121,7 @@ misfitMessage misfit = case misfit of
   NotMatrix 1 n -> "a list of " ++ show n ++ " numbers is needed"
   NotMatrix m n -> "a list of " ++ show m ++ " lists of " ++ show n ++ " numbers is needed"
   OtherCount n -> show n ++ " is needed"
-  OtherDigest -> "the digest is not that of the contents; they were changed, or are not whole"
+  OtherDigest -> "the digest is not that of the contents; they were changed or cut off"
   NotRotation -> "a rotation is needed: rows of length 1, at right angles, and no mirroring"
   NotAngle -> "a number from 0 up to 360 is needed, within 45 of orientation_deg"
   RegionTooLarge limit -> "a region has at most " ++ show limit ++ " taxels a side"

@@ -182,11 +182,12 @@ storeMessage e = case e of
   CannotWrite file why -> "cannot write " ++ file ++ ": " ++ failureMessage why
   Occupied file DanglingLink -> file ++ " is a link to nothing; " ++ elsewhere
   Occupied file NoRegularFile ->
-    file ++ " is no regular file, and a database needs one; " ++ elsewhere
-  Occupied file NoStore -> file ++ " is something else and is left as it is; " ++ elsewhere
+    file ++ " is not a regular file, which a database needs; " ++ elsewhere
+  Occupied file NoStore ->
+    file ++ " is not a database of this program and is left as it is; " ++ elsewhere
   Occupied name OtherTables ->
     name
-      ++ " has tables of something else, of the same names, which are left as they are; name \
+      ++ "has tables of the same names that belong to something else, and is left as it is; name \
          \another database, or another schema in it"
   NotADatabase file -> file ++ " is not an SQLite database"
   DamagedFile file BrokenPages ->
@@ -221,11 +222,11 @@ storeMessage e = case e of
     addressForm
       ++ "; in names and values other characters than letters and digits are written as %40 and so \
          \on; or by settings, host=HOST dbname=NAME"
-  UnknownScheme scheme -> "no database is named by " ++ scheme ++ "://; " ++ addressForm
+  UnknownScheme scheme -> "a database cannot be named by " ++ scheme ++ "://; " ++ addressForm
   WithoutServers name ->
     name
-      ++ " cannot be asked: this program has no PostgreSQL, as no static one has; one that is \
-         \built where the library persistent-postgresql is installed has"
+      ++ "cannot be used: this program was built without PostgreSQL; build it (not as a static \
+         \program) where the library persistent-postgresql is installed"
   Unreachable name why -> "cannot connect to " ++ name ++ ": " ++ failureMessage why
   WrongEncoding name encoding ->
     name ++ " has texts in the encoding " ++ encoding ++ "; a database with UTF8 is needed here"
