@@ -132,8 +132,7 @@ orderAlone choice
   | choice {choiceOrder = Nothing} == unsaid = pure (fromMaybe 4 (choiceOrder choice))
   | otherwise =
     misused
-      "--smallest looks for the array itself; leave out all options of the array \
-      \but --q"
+      "--smallest looks for the array; of the array's options, beside it only --q may be given"
 
 -- | Beside a file that holds the array itself: q and the window, if they are given, and nothing
 -- else.

@@ -136,7 +136,7 @@ commandLine =
       <> header
         "pra-tactile - recognise objects by touch, from the pseudorandom array embossed on their \
         \faces"
-      <> progDesc "'pra-tactile COMMAND --help' explains a command, with its options and examples."
+      <> progDesc "Each command has its own help: pra-tactile COMMAND --help"
       <> footer
         "Exit status: 0 answered; 1 well formed, but refused, ambiguous or refuted; 2 bad usage \
         \or bad input."

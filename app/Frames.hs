@@ -45,7 +45,7 @@ chosenSources :: FramesChoice -> [FilePath] -> IO [SourcePath]
 chosenSources choice paths = case (posesFile choice, paths) of
   (Nothing, _) -> sourcePaths paths >>= orUnusable filesMessage
   (Just poses, [movie]) -> pure [MoviePath poses movie]
-  _ -> misused "--poses belongs to one movie; give its file as the only PATH"
+  _ -> misused "--poses is of one movie; give its file as the only PATH"
 
 -- | The composites of sources, given the tables of the symbols that may have been felt, and how
 -- much larger than the paper's they are, as 'sourceComposite' makes them. Says so where images of a

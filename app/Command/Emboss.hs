@@ -240,7 +240,7 @@ orMisnamed oneFile kind name
   | otherwise =
     when (ending `elem` endings) . misused $
       visibleName name
-        ++ "is the name of one file, but several may be written; name a folder, or one --object or \
+        ++ " is the name of a file, and several may be written: name a folder, or one --object or \
            \--face"
   where
     ending = endingOf name

@@ -298,8 +298,7 @@ ground choice options = case onto options of
   Just _
     | smallest options ->
       misused
-        "--smallest looks for an array, but --onto has one; give \
-        \one of them"
+        "--smallest looks for an array, but --onto names one; give one of them"
   Nothing | smallest options -> pure (Nothing, sized (fromMaybe 1 (symbols options)), Nothing)
   Nothing -> do
     profile <- chosenProfile choice

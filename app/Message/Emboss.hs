@@ -36,7 +36,7 @@ embossMessage e = case e of
       ++ ", or name one --face"
   TooThin height thickness ->
     "the symbols are " ++ exactText height ++ " mm high; a plate of " ++ exactText thickness
-      ++ " mm is not thicker than that: choose a larger --thickness"
+      ++ " mm is not thicker than that: choose another --thickness"
 
 -- | Why an object cannot be written with coordinates of this precision.
 misshapenMessage :: ObjectName -> Precision -> Misshapen -> String
@@ -64,7 +64,7 @@ misshapenMessage object precision e = case e of
          \smaller symbols"
   Irrational points ->
     "coordinates of " ++ counted points "point" "points"
-      ++ "are no fractions, but the format json holds only fractions; choose another --format, or \
+      ++ " are no fractions, but the format json holds only fractions; choose another --format, or \
          \another ending of the file's name"
   where
     (held, instead) = case precision of

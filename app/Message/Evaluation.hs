@@ -19,7 +19,7 @@ evaluationFileMessage file fault = case fault of
   DamagedPress line why -> formatMessage (on line) "a press" why ++ cut
   CheckOfPress line -> on line ++ " is damaged: its check does not fit the rest" ++ cut
   OtherPress line -> on line ++ " has another press than the one that belongs there" ++ cut
-  OtherEnding line -> on line ++ " is not the total of the presses before it" ++ cut
+  OtherEnding line -> on line ++ " is not what the presses before it come to" ++ cut
   where
     on line = visibleName file ++ ": line " ++ show line
     cut = "; delete it and all lines after it, and run its shard again"

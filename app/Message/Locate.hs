@@ -46,7 +46,7 @@ locatorMessage e = case e of
   LocatorImpossible infeasible tooLarge ->
     algebraMessage infeasible ++ "; and " ++ locateMessage tooLarge
   ProbabilitiesRefused _ ->
-    "--road cannot use probabilities; leave it out"
+    "probabilities cannot be used with --road; leave out --road"
   NothingCorrected _ ->
     "errors cannot be corrected on this array: it has more than 2^20 cells, and its discrete \
     \logarithms cannot be taken; leave out --radius"

@@ -187,7 +187,7 @@ storeMessage e = case e of
     file ++ " is not a database of this program and is left as it is; " ++ elsewhere
   Occupied name OtherTables ->
     name
-      ++ "has tables of the same names that belong to something else, and is left as it is; name \
+      ++ " has tables of the same names that belong to something else, and is left as it is; name \
          \another database, or another schema in it"
   NotADatabase file -> file ++ " is not an SQLite database"
   DamagedFile file BrokenPages ->
@@ -225,7 +225,7 @@ storeMessage e = case e of
   UnknownScheme scheme -> "a database cannot be named by " ++ scheme ++ "://; " ++ addressForm
   WithoutServers name ->
     name
-      ++ "cannot be used: this program was built without PostgreSQL; build it (not as a static \
+      ++ " cannot be used: this program was built without PostgreSQL; build it (not as a static \
          \program) where the library persistent-postgresql is installed"
   Unreachable name why -> "cannot connect to " ++ name ++ ": " ++ failureMessage why
   WrongEncoding name encoding ->
