@@ -19,14 +19,14 @@ import PraTactile.Profile (Profile)
 import PraTactile.Recognise.Summary (orientationText)
 import PraTactile.Symmetry
 
--- | What was asked, as far as the words of the answer depend on it.
+-- | The parts of the question on which the wording of the answer depends.
 data Asked = Asked
   { askedSymmetries :: [Symmetry],
-    -- | Whether patches were given with displacements; else it is one patch alone.
+    -- | Whether patches were given with displacements; otherwise there is one patch.
     askedDisplaced :: Bool
   }
 
--- | Whether patches are seen upright, so that there is nothing to say of orientations.
+-- | Whether only the upright orientation is allowed, so that the answer names none.
 upright :: Asked -> Bool
 upright asked = askedSymmetries asked == [identity]
 
@@ -85,7 +85,7 @@ outcomeText asked outcome = case outcome of
     candidateText candidate =
       pairText (candidatePosition candidate) ++ " " ++ orientationText (candidateSymmetry candidate)
 
--- | Which of the patches do not belong, and which cells they saw differently.
+-- | The patches that contradict the answer, with the cells in which they differ.
 patchesText :: Asked -> Answer -> [String]
 patchesText asked answer
   | not (askedDisplaced asked) = []

@@ -29,7 +29,7 @@ data Listed = Listed
     listedProfiles :: Int
   }
 
--- | What was chosen, each once: how a process is spoken to, and the laws.
+-- | The chosen laws, each once, and the checks of how a process is spoken to.
 listOfLaws :: Settings -> Suite about -> [Listed]
 listOfLaws settings suite =
   [ Listed name OnProtocol [] sentence "the protocol" 1 1
@@ -65,7 +65,7 @@ listText settings suite = concatMap shown (listOfLaws settings suite)
       | full == 0 = ""
       | otherwise = ", exhaustive under " ++ show full ++ " of " ++ show all' ++ " profiles"
 
--- | The same as JSON.
+-- | The chosen laws as JSON.
 listJson :: Settings -> Suite about -> ByteString
 listJson settings suite =
   encodeSchema "conform-laws/1" $

@@ -30,7 +30,7 @@ import PraTactile.Conformance.Version
 import PraTactile.PlainText (lineFeeds, withoutMark)
 import Visible
 
--- | As they are given.
+-- | The options as they are given.
 data Options = Options
   { mode :: Mode,
     stages :: [Stage],
@@ -165,7 +165,7 @@ heeded options = do
         ("--parallel", isJust (parallelGiven options))
       ]
 
--- | Which laws are tried and how; leaves with status 2 where an option says what cannot be.
+-- | Which laws are tried and how; leaves with status 2 if an option has an impossible value.
 settingsOf :: Suite about -> Options -> IO Settings
 settingsOf suite options = do
   heeded options

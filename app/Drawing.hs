@@ -73,7 +73,7 @@ data Mark = Mark
   }
   deriving stock (Eq, Show)
 
--- | What is drawn.
+-- | A shape or a text to draw.
 data Form
   = Rectangle !Paint !Extent
   | -- | rectangles as one path
@@ -125,12 +125,12 @@ data Font = Font
 data Weight = Regular | Bold
   deriving stock (Eq, Show)
 
--- | Which end of a line of text its point is.
+-- | Which end of a line of text lies at its point.
 data Anchor = FromLeft | FromMiddle | FromRight
   deriving stock (Eq, Show)
 
--- | What a mark takes up, half its stroke included. Text is taken to be as wide as in the widest of
--- the usual sans-serif fonts. 'Nothing' for no patches and no points.
+-- | The bounding box of a mark, with half its stroke. Text has the width that it has in the widest
+-- of the usual sans-serif fonts. 'Nothing' for a mark without patches or points.
 markExtent :: Mark -> Maybe Extent
 markExtent (Mark _ form) = case form of
   Rectangle paint e -> Just (stroked paint e)
@@ -154,7 +154,7 @@ hull = fmap sconcat . NonEmpty.nonEmpty
 -- | Marks, the later ones over the earlier ones.
 type Drawing = [Mark]
 
--- | What a drawing takes up; a point for an empty one.
+-- | The bounding box of a drawing; a point for an empty one.
 extentOf :: Drawing -> Extent
 extentOf drawing = fromMaybe (Extent 0 0 0 0) (hull (mapMaybe markExtent drawing))
 

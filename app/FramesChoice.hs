@@ -28,7 +28,7 @@ import PraTactile.Sensor.Manifest (Axes, axesNamed, straight)
 import PraTactile.Source (Preparation (..))
 import SensorChoice (usableTaxel)
 
--- | What was said about the frames.
+-- | The options about frames.
 data FramesChoice = FramesChoice
   { -- | mm
     chosenTaxel :: Maybe Double,
@@ -146,7 +146,7 @@ calibrationOption =
     "Correct the frames, or an image of the sensor's size, by this file of 'calibrate'; dead \
     \taxels count as not felt"
 
--- | What is known of the frames; leaves with status 2 where it cannot be.
+-- | How frames are prepared, from the options; leaves with status 2 if a value is impossible.
 preparation :: FramesChoice -> IO Preparation
 preparation choice =
   Preparation
@@ -158,7 +158,7 @@ preparation choice =
     <$> traverse usableTaxel (chosenTaxel choice)
     <*> traverse readCalibration (calibrationFile choice)
 
--- | What was said of how frames are put together.
+-- | The options about stitching.
 data StitchingChoice = StitchingChoice
   { asTheyAre :: Bool,
     positionError :: Maybe Double,

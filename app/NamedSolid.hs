@@ -93,7 +93,7 @@ symbolsText block =
     ++ shapeText (blockShape block)
     ++ " cells"
 
--- | That no face of objects has room for a symbol, with the unit that their files may have.
+-- | The message that no face has room for a symbol, with the unit that the files may have.
 nothingCarries :: Pitch -> [Solid] -> String
 nothingCarries between objects =
   "no face has room for " ++ symbolText between
@@ -109,7 +109,7 @@ nothingCarries between objects =
             face <- solidFaces larger
         ]
 
--- | That a face has no room for a symbol.
+-- | The message that a face has no room for a symbol.
 noRoomOn :: Pitch -> Face -> String
 noRoomOn between (Face owner walk) =
   "the face " ++ visible (faceText walk) ++ " of the " ++ visible (objectText owner)
@@ -137,6 +137,6 @@ whyNot wishes reason = case reason of
           | Wanted (Face owner walk) _ <- take 1 (drop i wishes)
         ]
 
--- | That a search came to no end.
+-- | The message that a search gave up.
 noneFound :: String
 noneFound = "no placement was found, and it is not proved that there is none"

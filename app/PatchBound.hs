@@ -17,8 +17,8 @@ import qualified Data.Text as Text
 largestPatch :: Int
 largestPatch = 65536
 
--- | What is wrong with a text that has more than 'largestPatch' cells, or too much else to be a
--- patch over an alphabet of this many symbols; one pass, in constant memory.
+-- | The complaint about a text with more than 'largestPatch' cells, or too long to be a patch over
+-- an alphabet of this size. One pass, in constant memory.
 oversized :: Int -> Text -> Maybe String
 oversized symbols text = case Text.uncons (Text.stripStart text) of
   Just ('[', _) -> ofJson 2

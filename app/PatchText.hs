@@ -29,10 +29,10 @@ import PraTactile.Locate (Cell (..), Patch, belief, patch)
 import PraTactile.Rows (rowsOf)
 import Readers
 
--- | What was written.
+-- | The patches of a text.
 data Written (k :: Field) = Written
   { writtenPatches :: [Displaced (Patch (Cell k))],
-    -- | Whether with displacements; else it is one patch alone.
+    -- | Whether patches have displacements; otherwise there is one patch.
     writtenDisplaced :: Bool
   }
 

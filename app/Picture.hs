@@ -35,7 +35,7 @@ data Page = Page
     pageComposite :: Drawing,
     -- | empty where the answer is on no face
     pageFace :: Drawing,
-    -- | empty where the object's pose is not told
+    -- | empty if the object's pose is unknown
     pageObject :: Drawing,
     pageAnswer :: Drawing,
     pageLegend :: Drawing

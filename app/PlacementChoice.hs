@@ -153,9 +153,9 @@ chosenWith array choice named = case choice of
   InDatabase file -> chosenStored array file (\_ store -> storedObjects store [named])
   _ -> chosenPlacement array choice
 
--- | Go on with the profile and the placement chosen for who looks positions up: of a database
--- without an object, and with what reads the objects on and next to cells of the array that are
--- found. The database stays open meanwhile.
+-- | Continue with the chosen profile and placement, for a command that looks positions up. For a
+-- database the placement has no objects; the third argument reads those on and next to given cells.
+-- The database stays open meanwhile.
 withNear ::
   ArrayChoice ->
   PlacementChoice ->
@@ -170,9 +170,9 @@ withNear array choice going = case choice of
     (profile, layout) <- chosenPlacement array choice
     going profile layout (const (pure Nothing))
 
--- | The same for who presses the first so many faces and asks nothing that is further away on the
--- array than so many rows and columns, by the symbols' distances and the array's window: of a
--- database no more is read.
+-- | The placement chosen, for a command that presses the first @count@ faces. It needs only objects
+-- within a reach of these faces, rows and columns that follow from the symbols' distances and the
+-- array's window. No other objects of a database are read.
 chosenFirst ::
   ArrayChoice -> PlacementChoice -> Int -> (Pitch -> Shape -> Shape) -> IO (Profile, Placement)
 chosenFirst array choice count reach = case choice of

@@ -120,7 +120,7 @@ polyhedron :: Shape -> Pitch -> SolidReading -> String -> IO Polyhedron
 polyhedron shape between reading subject =
   contentsOf (plateSize shape between) (readingFormat reading) subject >>= readBy reading subject
 
--- | What a file or a name says, taken as the command line says.
+-- | The polyhedron of a file or a name, scaled and mended as the options say.
 readBy :: SolidReading -> String -> Contents -> IO Polyhedron
 readBy reading subject (Contents whole passed) = do
   let given = scaledBy (readingScale reading) whole
@@ -130,8 +130,8 @@ readBy reading subject (Contents whole passed) = do
       (mended (readingMending reading) given)
   pure (Polyhedron given passed it changes)
 
--- | What a name says, or a file, which is of the format that its end tells, or else of this one.
--- The sheet has this width and depth.
+-- | The contents that a name stands for, or those of a file. The file's format is the one that its
+-- name ends in, or else the given one. The sheet has this width and depth.
 contentsOf :: (Rational, Rational) -> Maybe SolidFormat -> String -> IO Contents
 contentsOf plate given subject = case readName plate subject of
   Known known -> pure (Contents (fromDescription (namedDescription known)) [])
@@ -144,7 +144,7 @@ contentsOf plate given subject = case readName plate subject of
       )
   NoName -> fileContents given subject
 
--- | What a file says, in the format that its end tells, or else in this one.
+-- | The contents of a file, in the format that its name ends in, or else in this one.
 fileContents :: Maybe SolidFormat -> FilePath -> IO Contents
 fileContents given subject = do
   told <- case formatOfFile subject of

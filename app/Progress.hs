@@ -55,15 +55,15 @@ data Pace = Even | Uneven
 evenly :: Integral n => n -> String -> Work
 evenly total = Work 0 . Counted Even (toInteger total)
 
--- | So many steps, some of which may take much longer than others.
+-- | Work of n steps, some of which may take much longer than others.
 unevenly :: Integral n => n -> String -> Work
 unevenly total = Work 0 . Counted Uneven (toInteger total)
 
--- | Nobody knows how many steps; what is said of each.
+-- | Work with an unknown number of steps, given the text that is shown at each.
 openly :: (Integer -> String) -> Work
 openly = Work 0 . Open
 
--- | The same work, of which so many steps were done before.
+-- | Work of which the first n steps were done before.
 doneBefore :: Integer -> Work -> Work
 doneBefore before (Work _ drawn) = Work before drawn
 
@@ -133,11 +133,11 @@ followWhile part bar steps = case steps of
   Step s more | Just done <- part s -> tell bar done >> followWhile part bar more
   _ -> pure steps
 
--- | Evaluate something that tells no steps, to its head; what is being done stands on the line.
+-- | Evaluate a value to weak head normal form, while the progress line shows this text.
 whileWorking :: String -> a -> IO a
 whileWorking what a = withProgress (openly (const what)) (\_ -> evaluate a)
 
--- | The line for so many steps done in so many seconds: less than 80 characters.
+-- | The progress line after n steps and a time in seconds: less than 80 characters.
 lineAt :: Work -> Integer -> Double -> String
 lineAt (Work before drawn) done seconds = take 79 $ case drawn of
   Open say -> say done ++ soFar

@@ -39,7 +39,7 @@ import System.Directory (doesPathExist)
 import Text.Printf (printf)
 import Visible
 
--- | What was said about the sensor.
+-- | The options about the sensor.
 data SensorChoice = SensorChoice
   { -- | a preset's name, or a file's
     sensorNamed :: Maybe String,
@@ -163,8 +163,8 @@ chosenSensor choice
     put sensor (name, v) = either (misused . refusal name) pure (replaced name v sensor)
     refusal name = maybe name (rangeText name . constantRange)
 
--- | How much nearer than its centre the farther edges of a sensor are that is tilted by so many
--- degrees, as a share of a symbol's thickness.
+-- | How far a tilt by this angle in degrees lowers one edge of a sensor below its centre, as a
+-- share of a symbol's thickness.
 tiltShare :: Sensor -> Double -> Double
 tiltShare sensor degrees = half * tan (degrees * pi / 180) / symbolThickness
   where
@@ -187,8 +187,8 @@ ofPresses choice =
 chosenSize :: Maybe (Int, Int) -> Sensor -> (Int, Int)
 chosenSize said sensor = fromMaybe (regionSizeFor sensor) said
 
--- | The sensor as symbols so many times as large as the paper's feel it: that of the same kind
--- whose elements are as many times closer.
+-- | A sensor as it feels symbols that are larger than the paper's by this factor: its taxels are
+-- closer by the factor.
 feltBySymbols :: Rational -> Sensor -> Sensor
 feltBySymbols scale sensor
   | scale == 1 = sensor
@@ -263,6 +263,6 @@ bendText :: Bend -> String
 bendText (Bend radius axis) =
   printf "bent about %s with a radius of %g mm" (bendAxisName axis) radius
 
--- | A bend where symbols are so many times as large as the paper's, in millimetres of the paper's.
+-- | A bend for symbols larger than the paper's by this factor: its radius divided by the factor.
 bendBySymbols :: Rational -> Bend -> Bend
 bendBySymbols scale bend = bend {bendRadius = bendRadius bend / fromRational scale}

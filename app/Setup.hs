@@ -1,5 +1,5 @@
--- | The one place where the program chooses its shapes: those shipped for as many symbols as a
--- field has elements, or those of a drawing file; and the network that reads them.
+-- | The choice of shapes, those shipped for the elements of a field or those of a drawing file, and
+-- of the network that reads them.
 module Setup
   ( -- * Shapes alone
     AlphabetChoice,
@@ -47,7 +47,7 @@ import PraTactile.Profile (Profile (..))
 import PraTactile.Shape hiding (alphabet)
 import Visible (visibleName)
 
--- | Which shapes are meant where no array says it.
+-- | The choice of shapes for commands that know no array.
 data AlphabetChoice
   = -- | nothing is said: those shipped for GF(4)
     Usual
@@ -148,13 +148,13 @@ readerChoice :: Parser ReaderChoice
 readerChoice =
   ReaderChoice <$> shapesOption <*> networkOption
 
--- | What an array's symbols are read with.
+-- | The reader of an array's symbols.
 readerFor :: ReaderChoice -> Profile -> IO Reader
 readerFor (ReaderChoice drawn weights) profile =
   alphabetFor drawn profile >>= (`readerWith` weights)
 
--- | What an alphabet is read with: the weights in the file, or the shipped ones, and what their
--- calibration is.
+-- | The reader of an alphabet: the weights in the file, or the shipped ones, with their
+-- calibration.
 readerWith :: Alphabet -> Maybe FilePath -> IO Reader
 readerWith alphabet weights = do
   file <- networkFor alphabet weights

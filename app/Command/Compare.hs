@@ -71,14 +71,14 @@ run choice answerFile truthFile form = do
     (encodeComparison larger truth claim verdict poses)
   pure (either (const NotAnswered) (const Answered) verdict)
 
--- | How far the pose is off, where it is told.
+-- | How far the pose is off, if there is one.
 poseText :: Maybe (Double, Double) -> [String]
 poseText poses =
   [ printf "the pose is off by %.2f mm there and by %.2f degrees" far angle
     | Just (far, angle) <- [poses]
   ]
 
--- | With its distances so many times as long.
+-- | A verdict with its distances multiplied by a factor.
 farther :: Double -> Either (Maybe Difference) Double -> Either (Maybe Difference) Double
 farther k verdict = case verdict of
   Right far -> Right (k * far)
@@ -120,7 +120,7 @@ comparison larger truth claim =
     region = truthRegion truth
     faceWords face = objectText (faceObject face) ++ ", face " ++ faceText (faceName face)
 
--- | How a face lies: by its angle, where that is told and is not nearly the quarter turn.
+-- | How a face lies: by its angle, if that is known and differs from the quarter turn.
 turnWords :: Symmetry -> Maybe Double -> String
 turnWords symmetry angle = case angle of
   Just degrees

@@ -82,7 +82,7 @@ chosenProfiles files = case files of
       | "/dev/" `isPrefixOf` file = "profile"
       | otherwise = visibleName (takeBaseName file)
 
--- | Run the suite, or the case of a token, on as many processes as are to be.
+-- | Run the suite, or the case of a token, on the chosen number of processes.
 conformed :: Options -> Settings -> Suite Known -> Command -> IO Report
 conformed options settings suite subject = do
   end <- (+ wholeLimit options) <$> getMonotonicTime

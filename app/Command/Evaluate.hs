@@ -281,8 +281,8 @@ continued file bytes evaluation part
   where
     begins = beginning evaluation part
 
--- | Write what a shard's file lacks, each press at once and whole, after so many bytes with those
--- that are there; the counts of all of them.
+-- | Write the presses that a shard's file lacks, each at once and whole, after the bytes and
+-- presses that it has; the counts of all presses.
 document :: Evaluation -> Part -> (Int, [Press]) -> [Press] -> Handle -> IO Counts
 document evaluation part (kept, before) others handle = do
   when (kept == 0) (put (beginning evaluation part))

@@ -269,7 +269,8 @@ firstLaid lying search arrays = case arrays of
     better blocks one other = if on blocks other > on blocks one then other else one
     on blocks profile = length (filter (holdsWindow (profileWindow profile)) blocks)
 
--- | The single arrays of at least so many cells, and at most 'mostCounted', in the adviser's order.
+-- | The single arrays of at least this many cells, and at most 'mostCounted', in the adviser's
+-- order.
 smallestArrays :: ArrayChoice -> Natural -> IO [[Profile]]
 smallestArrays choice cells = do
   q <- orderAlone choice

@@ -228,7 +228,7 @@ run options choice
     placed = fromMaybe (0, 0) (origin options)
     spaced c = if c == ',' then ' ' else c
 
--- | Write so many calibration frames.
+-- | Write n calibration frames.
 calibrating ::
   ArrayChoice -> Options -> Sensor -> Int -> (Int -> [Frame]) -> IO ExitStatus
 calibrating choice options simulated count frames

@@ -160,12 +160,12 @@ run symbols options = do
 asJson :: Options -> Bool
 asJson options = takeExtension (output options) == ".json"
 
--- | Whether symbols are pressed to find how sure the network is: only where that is written.
+-- | Whether symbols are pressed to calibrate the network: only if the calibration is written.
 pressing :: Options -> Bool
 pressing options = calibrating options && (asJson options || isJust (sureness options))
 
--- | Say what a training for so many classes takes, before it begins; leaves with status 2 where
--- that is too much.
+-- | Say what a training for n classes takes, before it begins; leaves with status 2 if that is too
+-- much.
 announced :: Options -> Int -> IO ()
 announced options classes = do
   orTooMuch
@@ -207,7 +207,7 @@ timeText seconds
   where
     whole' n = counted (max 1 (round n :: Int))
 
--- | What the training of so many classes takes.
+-- | What the training for n classes takes.
 demandFor :: Options -> Int -> Demand
 demandFor options classes = case how options of
   AsShipped -> regimenDemand (regimenOf options classes) classes
@@ -265,7 +265,7 @@ trainedAs (ByPaper training) alphabet options = do
     most = demandEpochs (demandFor options classes)
     source = Presses (presetName Real) (presetSensor Real) (AmongTurns halfTurns)
 
--- | The regimen of the shipped networks, for so many classes.
+-- | The regimen of the shipped networks, for n classes.
 regimenOf :: Options -> Int -> Regimen
 regimenOf options classes
   | noise options = it

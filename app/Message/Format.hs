@@ -67,7 +67,7 @@ rangeText name (least, most) = name ++ " is from " ++ number least ++ " to " ++ 
       | v == fromIntegral (round v :: Int) = show (round v :: Int)
       | otherwise = showFFloat Nothing v ""
 
--- | A positive number to so many significant figures, without zeros behind the last one.
+-- | A positive number to this many significant figures, without trailing zeros.
 --
 -- >>> figures 4 0.79375
 -- "0.7938"

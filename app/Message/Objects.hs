@@ -121,7 +121,7 @@ placementFileMessage file e = case e of
   ObjectBroken object why -> file ++ ": the " ++ objectText object ++ ": " ++ objectMessage why
   PlacementRefused why -> file ++ ": " ++ placementMessage why
 
--- | Where symbols are so many times as large as the paper's.
+-- | The message for an experiment, given the size of the symbols relative to the paper's.
 experimentMessage :: Double -> ExperimentError -> String
 experimentMessage larger e = case e of
   ReliefRefused why -> reliefMessage why
@@ -134,8 +134,8 @@ bendMessage least =
   "--bend is a radius of more than " ++ hundredths least
     ++ " mm, half the diagonal of what the sensor feels"
 
--- | Where symbols are so many times as large as the paper's, and where the region's upper left
--- corner was asked for, if it was, millimetres on the face.
+-- | The message for a press, given the size of the symbols relative to the paper's, and the upper
+-- left corner of the region, in millimetres on the face, if it was chosen.
 pressMessage :: Double -> Maybe (Double, Double) -> PressError -> String
 pressMessage larger asked e = case e of
   ObjectRefused why -> placementMessage why

@@ -271,7 +271,7 @@ remediesText = intercalate " or " . map options
             ++ ["--image-axes " ++ axesName axes | Just axes <- [images]]
         )
 
--- | A scale of positions in words, with the unit that it is of, if it is one's.
+-- | A scale of positions in words, with the unit that has this scale, if there is one.
 scaleText :: Double -> Double -> String
 scaleText across down
   | across == down = figures 3 across ++ maybe "" of' (unitOf across)
@@ -279,7 +279,7 @@ scaleText across down
   where
     of' (_, unit) = " (are they in " ++ unit ++ "?)"
 
--- | The same as the option takes it.
+-- | A scale of positions as @--position-scale@ takes it.
 scaleOption :: Double -> Double -> String
 scaleOption across down
   | across == down = factor across
@@ -287,7 +287,7 @@ scaleOption across down
   where
     factor s = figures 5 (maybe s fst (unitOf s))
 
--- | The unit that has so many millimetres, to three hundredths.
+-- | The unit of this length in millimetres, to within 3 %.
 unitOf :: Double -> Maybe (Double, String)
 unitOf scale = find (\(millimetres, _) -> abs (scale / millimetres - 1) < 0.03) units
   where

@@ -23,7 +23,7 @@ import PraTactile.Sensor.Frame (Motion (..), movePoint)
 import PraTactile.Shape (Alphabet)
 import PraTactile.Symmetry
 
--- | What is drawn of a face.
+-- | The data for drawing a face.
 data FaceView = FaceView
   { viewAlphabet :: Alphabet,
     viewLayout :: Placement,
