@@ -30,8 +30,8 @@ data Asked = Asked
 upright :: Asked -> Bool
 upright asked = askedSymmetries asked == [identity]
 
--- | The answer as its JSON has it, given the displacements of the patches and the sentences that
--- explain it, if they are wanted.
+-- | The answer as its JSON has it, given the displacements of the patches and, if wanted, the
+-- sentences that explain it.
 reportOf ::
   Profile -> Asked -> [(Integer, Integer)] -> Maybe [String] -> Answer -> AnswerReport
 reportOf profile asked displacements explanation answer = answerReport context answer
@@ -49,7 +49,7 @@ reportOf profile asked displacements explanation answer = answerReport context a
       Refused reason -> reasonMessage reason
       _ -> answerText asked answer
 
--- | The outcome, how many cells were taken to be wrong, and which patches do not belong.
+-- | The outcome, the number of cells taken to be wrong, and the patches that contradict it.
 answerText :: Asked -> Answer -> String
 answerText asked answer =
   intercalate

@@ -1,5 +1,6 @@
--- | Choosing the array, alike in every command: @--q --modulus --polynomial --shape --window
--- --state@, or @--profile FILE@, or nothing, which is the canonical profile; and @--folding@.
+-- | The options that choose the array, the same in every command: @--q --modulus --polynomial
+-- --shape --window --state@, or @--profile FILE@, or none, which is the canonical profile; and
+-- @--folding@.
 module ArrayChoice
   ( ArrayChoice,
     arrayChoice,
@@ -23,7 +24,7 @@ import Options
 import PraTactile.Array (Folding, Shape (..))
 import PraTactile.Profile
 
--- | What the command line says about the array.
+-- | The options about the array.
 data ArrayChoice = ArrayChoice
   { choiceOrder :: Maybe Natural,
     choiceModulus :: Maybe [Natural],
@@ -36,11 +37,11 @@ data ArrayChoice = ArrayChoice
   }
   deriving stock (Eq, Show)
 
--- | Nothing is said about the array.
+-- | No option about the array is given.
 unsaid :: ArrayChoice
 unsaid = ArrayChoice Nothing Nothing Nothing Nothing Nothing Nothing Nothing Nothing
 
--- | Whether nothing is said about the array.
+-- | Whether no option about the array is given.
 nothingChosen :: ArrayChoice -> Bool
 nothingChosen = (== unsaid)
 
@@ -81,7 +82,7 @@ arrayGroup =
     "The array (default: that of the paper)"
     (words "q modulus polynomial shape window state folding profile")
 
--- | The profile chosen; leaves with status 2 and the reason where the choice is impossible.
+-- | The profile chosen; leaves with status 2 and the reason if the choice is impossible.
 chosenProfile :: ArrayChoice -> IO Profile
 chosenProfile choice = case choice of
   ArrayChoice Nothing Nothing Nothing Nothing Nothing Nothing Nothing (Just file) ->
@@ -126,7 +127,8 @@ chosenProfileFor extent choice = case choice of
   ArrayChoice {choiceShape = Just _} -> chosenProfile choice {choiceWindow = Just extent}
   _ -> (\profile -> profile {profileWindow = extent}) <$> chosenProfile choice
 
--- | q, where nothing else is to be said of the array; 4 where it is not said.
+-- | q for a command that chooses the array itself: 4 unless @--q@ is given. Refuses other options
+-- about the array.
 orderAlone :: ArrayChoice -> IO Natural
 orderAlone choice
   | choice {choiceOrder = Nothing} == unsaid = pure (fromMaybe 4 (choiceOrder choice))
@@ -134,8 +136,8 @@ orderAlone choice
     misused
       "--smallest looks for the array; of the array's options, beside it only --q may be given"
 
--- | Beside a file that holds the array itself: q and the window, if they are given, and nothing
--- else.
+-- | q and the window, if they are given, for a command whose file holds the array. Refuses other
+-- options about the array.
 choiceBesideFile :: ArrayChoice -> Either String (Maybe Natural, Maybe Shape)
 choiceBesideFile choice
   | choice {choiceOrder = Nothing, choiceWindow = Nothing} == unsaid =
@@ -145,7 +147,8 @@ choiceBesideFile choice
       "FILE already holds the array; of the array's options, only --q and --window (or --mask) \
       \may be given with it"
 
--- | As 'chosenProfile', where only the sequence matters: without a shape, all terms lie in one row.
+-- | The profile chosen, for a command that uses only the sequence: without a shape, all terms lie
+-- in one row.
 chosenSequence :: ArrayChoice -> IO Profile
 chosenSequence choice = case choice of
   ArrayChoice

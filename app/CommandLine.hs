@@ -73,16 +73,16 @@ import System.Posix.Signals (Handler (Default), installHandler, sigPIPE)
 
 main :: IO ()
 main = do
-  -- Alike under every locale: names are UTF-8, and a byte that is not comes back as it was.
+  -- The same under every locale: names are UTF-8, and any other byte is kept as it is.
   mkTextEncoding "UTF-8//ROUNDTRIP" >>= setFileSystemEncoding
   lenient <- mkTextEncoding "UTF-8//TRANSLIT"
   hSetEncoding stdout lenient
   hSetEncoding stderr lenient
-  -- As cat does, end quietly where nobody reads on.
+  -- If nobody reads the output to its end, end quietly, as cat does.
   _ <- installHandler sigPIPE Default Nothing
   runToExit (getArgs >>= answering)
 
--- | Do what these arguments ask for.
+-- | Run the command that these arguments name.
 answering :: [String] -> IO ExitStatus
 answering arguments = do
   name <- getProgName
@@ -97,8 +97,8 @@ answering arguments = do
 preferences :: ParserPrefs
 preferences = helpPreferences
 
--- | The help that was asked for; or 'Left' with what is wrong with the arguments and where to read
--- what is right, on one line. The name is the program's.
+-- | The wanted help; or 'Left' with one line, which says what is wrong with the arguments and names
+-- the help. The first argument is the program's name.
 misunderstood :: String -> ParserFailure ParserHelp -> Either String String
 misunderstood name failure = case execFailure failure name of
   (explained, ExitSuccess, columns)
@@ -108,7 +108,7 @@ misunderstood name failure = case execFailure failure name of
     Left (namingHelp (asked explained) (dropWhileEnd (== '.') complaint))
     where
       complaint
-        -- What may stand for a command is a list of all of them, by no name.
+        -- The library would list all commands in place of COMMAND.
         | lacksCommand = "name a command"
         | otherwise =
           text
@@ -117,8 +117,7 @@ misunderstood name failure = case execFailure failure name of
                 helpSuggestions = if brief then helpSuggestions explained else mempty
               }
       lacksCommand = "Missing: COMMAND" `isPrefixOf` said
-      -- The words near to a longer one would be sought in a time and a memory that grow with it,
-      -- for nothing.
+      -- Suggestions for a long word would take time and memory that grow with the word.
       brief = null (drop 500 said)
       said = text mempty {helpError = helpError explained}
   where

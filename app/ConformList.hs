@@ -18,7 +18,7 @@ import PraTactile.Conformance.Run
 import PraTactile.Conformance.Run.Pattern
 import PraTactile.Conformance.Version
 
--- | A law: what is said of it, and under how many profiles, of how many, it exhausts its domain.
+-- | A law: its description, and under how many of the profiles it exhausts its domain.
 data Listed = Listed
   { listedId :: String,
     listedStage :: Stage,
@@ -49,7 +49,7 @@ listOfLaws settings suite =
       Cases _ (Every _) _ -> True
       Cases _ (Some _ _) _ -> False
 
--- | A line a law and one for what holds.
+-- | Two lines for each law: its id and what it states.
 listText :: Settings -> Suite about -> String
 listText settings suite = concatMap shown (listOfLaws settings suite)
   where

@@ -1,4 +1,4 @@
--- | The options of @pra-tactile conform@, and what they say of the laws.
+-- | The options of @pra-tactile conform@, and the settings that follow from them.
 module ConformOptions
   ( Options (..),
     timeLimit,
@@ -119,28 +119,28 @@ usualTimeout, usualLimit :: Double
 usualTimeout = 5
 usualLimit = 300
 
--- | The seed of every random draw.
+-- | The seed of all random draws.
 seed :: Options -> Int
 seed = fromMaybe usualSeed . seedGiven
 
--- | Cases of each law that does not try all there are.
+-- | The number of cases for each law that does not try all of them.
 cases :: Options -> Int
 cases = fromMaybe usualCases . casesGiven
 
--- | For each reply, seconds.
+-- | The time limit for each reply, in seconds.
 timeLimit :: Options -> Double
 timeLimit = fromMaybe usualTimeout . timeGiven
 
--- | For all, seconds.
+-- | The time limit for the whole run, in seconds.
 wholeLimit :: Options -> Double
 wholeLimit = fromMaybe usualLimit . limitGiven
 
--- | Processes at once.
+-- | The number of processes at once.
 parallelism :: Options -> Int
 parallelism = fromMaybe usualParallel . parallelGiven
 
--- | Refuses options that would change nothing: where the laws are listed and none is tried, and
--- where one case is tried again.
+-- | Refuses options that would change nothing: beside @--list@, which tries no law, and @--replay@,
+-- which tries one case.
 heeded :: Options -> IO ()
 heeded options = do
   when (listed options) . leaveOut "--list tries no law" $

@@ -16,7 +16,7 @@ import Graphics.Svg
 import RatesPlot (plotSvg, titleSize)
 import RatesPlot.Panel (number, numbers, text)
 
--- | What is drawn.
+-- | The curves of a plot.
 data Curves = Curves
   { curvesTitle :: String,
     curvesAcross :: Scale,

@@ -47,7 +47,7 @@ data Task
   | Check
   deriving stock (Eq)
 
--- | One of the options.
+-- | The option that names a task.
 taskOption :: Parser Task
 taskOption =
   flag'

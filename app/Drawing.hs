@@ -1,7 +1,7 @@
 {-# LANGUAGE OverloadedStrings #-}
 
--- | Drawings as data: marks that know where they lie, so that one drawing is put beside or below
--- another by what each really takes up. Units are those of the picture, x to the right and y down.
+-- | Drawings as data: marks with their bounding boxes, so that drawings are put side by side
+-- without overlap. Units are those of the picture, x to the right and y down.
 module Drawing
   ( -- * Extents
     Extent (..),
@@ -54,7 +54,7 @@ data Extent = Extent
   }
   deriving stock (Eq, Show)
 
--- | The smallest rectangle that holds both.
+-- | The smallest rectangle that contains both.
 instance Semigroup Extent where
   Extent l t r b <> Extent l' t' r' b' = Extent (min l l') (min t t') (max r r') (max b b')
 
@@ -66,7 +66,7 @@ width, height :: Extent -> Double
 width e = rightEdge e - leftEdge e
 height e = bottomEdge e - topEdge e
 
--- | Something drawn, with the word that says what it is: its class in the SVG.
+-- | A mark with its class in the SVG, a word that says what it is.
 data Mark = Mark
   { markClass :: !Text,
     markForm :: !Form
@@ -246,7 +246,7 @@ wrapped room font = go . words
         fill (line ++ " " ++ next) rest
     fill line rest = (line, rest)
 
--- | A number to a hundredth, without zeros that say nothing.
+-- | A number to a hundredth, without trailing zeros.
 hundredths :: Double -> String
 hundredths v = case (whole, reverse (dropWhile (== '.') (dropWhile (== '0') (reverse fraction)))) of
   ("-0", "") -> "0"

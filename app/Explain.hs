@@ -1,4 +1,4 @@
--- | Why an answer is what it is, in sentences: the cells used, their equations, the distance to the
+-- | The explanation of an answer in sentences: the cells used, their equations, the distance to the
 -- next candidate.
 module Explain
   ( explainAnswer,
@@ -17,8 +17,8 @@ import PraTactile.Symmetry
 import PraTactile.Window
 import Text.Printf (printf)
 
--- | The reasons for an answer, line by line, given the array and its window, the displacements of the patches, the
--- observed symbols of all of them, and the doubt that is tolerated.
+-- | The reasons for an answer, line by line, given the array and its window, the displacements of
+-- the patches, the observed symbols of all of them, and the tolerated doubt.
 explainAnswer ::
   KnownField k =>
   PseudorandomArray k ->

@@ -1,6 +1,6 @@
--- | How frames are put together: a taxel pitch and axes other than the manifest's, the sensor's
--- calibration, and what is known of robot and sensor. Pitch and calibration are of whole images,
--- too.
+-- | The options for frames and images: pitch, axes and calibration, which replace or supplement the
+-- manifest's, and what is known of the robot and the sensor. Pitch and calibration also apply to
+-- whole images.
 module FramesChoice
   ( FramesChoice (..),
     framesOptions,
@@ -43,8 +43,8 @@ data FramesChoice = FramesChoice
     calibrationFile :: Maybe FilePath
   }
 
--- | How frames and whole images are taken: @--taxel@, @--axes@, @--image-axes@, @--position-scale@,
--- @--inverted@, @--full-scale@, @--poses@ and @--calibration@.
+-- | The options for reading frames and whole images: @--taxel@, @--axes@, @--image-axes@,
+-- @--position-scale@, @--inverted@, @--full-scale@, @--poses@ and @--calibration@.
 framesOptions :: Parser FramesChoice
 framesOptions =
   FramesChoice
@@ -165,7 +165,7 @@ data StitchingChoice = StitchingChoice
     sensorNoise :: Maybe Double
   }
 
--- | @--no-stitching@, and what the robot and the sensor are like.
+-- | @--no-stitching@, @--position-error@ and @--frame-noise@.
 stitchingOptions :: Parser StitchingChoice
 stitchingOptions =
   StitchingChoice
@@ -188,7 +188,7 @@ stitchingOptions =
             \the frames show it)"
       )
 
--- | How frames are put together then.
+-- | The stitching that the options choose.
 stitchingOf :: StitchingChoice -> Stitching
 stitchingOf choice =
   way
@@ -198,8 +198,7 @@ stitchingOf choice =
   where
     way = if asTheyAre choice then nominalStitching else standardStitching
 
--- | The options that say something of frames and their positions alone, and whether they were
--- given.
+-- | The options that apply only to frames and their positions, and whether they were given.
 ofFrames :: StitchingChoice -> FramesChoice -> [(String, Bool)]
 ofFrames stitching frames =
   ("--axes", isJust (chosenAxes frames)) :
@@ -207,7 +206,7 @@ ofFrames stitching frames =
   ("--no-stitching", asTheyAre stitching) :
   ofRegistration stitching
 
--- | Those that say by what frames are registered.
+-- | The options about registration, and whether they were given.
 ofRegistration :: StitchingChoice -> [(String, Bool)]
 ofRegistration stitching =
   [ ("--position-error", isJust (positionError stitching)),

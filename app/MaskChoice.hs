@@ -1,4 +1,4 @@
--- | Choosing the cells of a window: @--mask@ draws them, @--window@ is a full rectangle.
+-- | The options for the cells of a window: @--mask@ draws them, @--window@ is a full rectangle.
 module MaskChoice
   ( maskOption,
     chosenMask,
@@ -32,6 +32,6 @@ chosenMask choice drawn surface = do
   mask <- maybe (orUnusable windowMessage (rectangle (profileWindow profile))) pure drawn
   pure (profile {profileSurface = fromMaybe (profileSurface profile) surface}, mask)
 
--- | As messages name it: @2x2@ or the drawing.
+-- | A mask as messages name it: @2x2@ or the drawing.
 maskText :: Mask -> String
 maskText mask = maybe (maskDrawing mask) shapeText (maskRectangle mask)

@@ -1,4 +1,4 @@
--- | Objects to be laid, as the command line names them, and why they are not laid.
+-- | Objects to be laid, as the command line names them, and messages about faces that are not laid.
 module NamedSolid
   ( namedSolid,
     sourceOf,
@@ -30,9 +30,9 @@ import PraTactile.Object.Vector (V3 (..))
 import PraTactile.Object.WingedEdge
 import Visible
 
--- | The solid that @[NAME=]SOLID|FILE@ is; the sheet has room for an array of this shape with
--- symbols so far apart, and without one there is none. Warns of triangles that are nearly one face.
--- Leaves with status 2 where there is no such solid.
+-- | The solid that @[NAME=]SOLID|FILE@ names. The sheet has room for an array of this shape with
+-- this pitch; without a shape, the sheet is refused. Warns of triangles that are nearly one face.
+-- Leaves with status 2 if there is no such solid.
 namedSolid :: Maybe Shape -> Pitch -> SolidReading -> String -> IO Solid
 namedSolid known between reading subject = do
   when (isNothing known && from == "sheet") . misused $
@@ -66,8 +66,8 @@ nameAndSource subject = case break (== '=') subject of
   (given@(_ : _), '=' : rest) | '/' `notElem` given -> (Just given, rest)
   _ -> (Nothing, subject)
 
--- | A tolerance that puts more triangles together than lie exactly in one plane, and how many faces
--- there are then: a power of ten above what single precision rounds coordinates by.
+-- | A tolerance that merges more triangles than lie exactly in one plane, and the number of faces
+-- then. It is a power of ten above the rounding of coordinates in single precision.
 nearlyMerged :: Mesh -> Maybe (Rational, Int)
 nearlyMerged it = do
   guard (largest > 0)
@@ -82,7 +82,7 @@ nearlyMerged it = do
     rounding = fromInteger largest / (fromInteger (meshDenominator it) * 2 ^ (22 :: Int)) :: Double
     mm = 10 ^^ (ceiling (logBase 10 rounding) :: Int)
 
--- | How many symbols a face has, and the rows and columns of the block that they are of.
+-- | The number of symbols of a face, and the rows and columns of their block.
 --
 -- >>> symbolsText (wholeBlock (Shape 3 4))
 -- "12 symbols on 3x4 cells"

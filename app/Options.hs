@@ -1,4 +1,4 @@
--- | Options that several commands have, each said once, and how answers are printed.
+-- | Options that several commands share, and how answers are printed.
 module Options
   ( module Options.Applicative,
     module Readers,
@@ -172,7 +172,7 @@ orAlias name reader more new = option reader (long name <> internal <> more) <|>
 orAliasFlag :: String -> a -> Parser a -> Parser a
 orAliasFlag name meaning new = flag' meaning (long name <> internal) <|> new
 
--- | An option with its reader, its name, what stands for its value, and its help.
+-- | An option: its reader, its name, the metavariable of its value, and its help.
 valued :: ReadM a -> String -> String -> String -> Parser a
 valued reader name meta text = option reader (long name <> metavar meta <> help text)
 
@@ -183,8 +183,8 @@ defaulting standard reader name meta text =
     reader
     (long name <> metavar meta <> value standard <> showDefaultWith plainly <> help text)
 
--- | An option with a default, which its help shows and its command takes: 'Nothing' where it was
--- not given, so that a command can tell.
+-- | An option with a default that its help shows. It is 'Nothing' if it was not given, so that the
+-- command knows; the command itself takes the default.
 usually :: Show a => a -> ReadM a -> String -> String -> String -> Parser (Maybe a)
 usually standard reader name meta text =
   optional (valued reader name meta (text ++ " (default: " ++ plainly standard ++ ")"))
@@ -200,7 +200,7 @@ plainly shown = case reads text of
       (whole, ".0") -> whole
       _ -> digits
 
--- | An option whose value is a file: its name, what stands for its value, and its help.
+-- | An option whose value is a file: its name, the metavariable of its value, and its help.
 fileOption :: String -> String -> String -> Parser FilePath
 fileOption name meta text =
   option pathReader (long name <> metavar meta <> action "file" <> help text)
@@ -231,7 +231,7 @@ pictureOption older text =
       (fileOption "picture" "FILE.svg" text)
       older
 
--- | @--shard I/K@: I from 1 to K; the whole where nothing is said.
+-- | @--shard I/K@: I from 1 to K; 'Nothing' is the whole.
 shardOption :: Parser (Maybe (Natural, Natural))
 shardOption =
   optional . option shard $
@@ -245,9 +245,8 @@ shardOption =
           then pure (fromInteger i, fromInteger k)
           else readerError "a shard is I/K with I from 1 to K, as in --shard 1/8"
 
--- | An option whose values have names. The first argument is what a message calls such a value, the
--- second the values by their names; then the option's name, what stands for its value in the help,
--- its help, and further properties.
+-- | An option whose values have names. The arguments: what messages call such a value, the values
+-- by their names, the option's name, its metavariable, its help, and further properties.
 choosing ::
   String -> [(String, a)] -> String -> String -> String -> Mod OptionFields a -> Parser a
 choosing what choices name meta text more =
@@ -286,7 +285,7 @@ surfaceOption =
 radiusOption :: String -> Parser Radius
 radiusOption text = maybe Guaranteed UpTo <$> optional (valued naturalReader "radius" "N" text)
 
--- | @--seed N@, with more of it.
+-- | @--seed N@, with further properties.
 seedOption :: Mod OptionFields Int -> Parser Int
 seedOption more =
   option intReader (long "seed" <> metavar "N" <> help "Seed of all random draws" <> more)

@@ -1,5 +1,5 @@
--- | How large a written patch may be, by its text, before anything is built of it: so a line takes
--- memory in proportion to its length, whatever is in it.
+-- | The size limit of written patches, checked on the text before anything is built from it. So the
+-- memory for any line is proportional to its length.
 module PatchBound
   ( largestPatch,
     oversized,

@@ -1,6 +1,6 @@
--- | Choosing the objects, alike in every command that touches them or looks them up: @--placement
--- FILE@, @--database FILE@, @--sheet@, or nothing, which is the shipped placement or of
--- another array the array itself.
+-- | The options that choose the objects, the same in every command that presses objects or looks
+-- them up: @--placement FILE@, @--database FILE@ or @--sheet@. Without them the objects are the
+-- shipped placement or, for another array, the array itself.
 module PlacementChoice
   ( PlacementChoice,
     placementChoice,
@@ -38,9 +38,9 @@ import PraTactile.Relief (ReliefError (..), symbolScale)
 import PraTactile.Store
 import Visible (objectCalled, visibleName)
 
--- | Where the objects and their faces' places are stated.
+-- | The source of the objects and of the places of their faces.
 data PlacementChoice
-  = -- | The shipped placement, or of another array than its own the array itself.
+  = -- | The shipped placement; for another array, the array itself.
     Shipped
   | -- | The whole array as a flat plate.
     Plate
@@ -112,7 +112,8 @@ objectsGroup :: Group
 objectsGroup =
   Group "The objects and their symbols" (words "sheet placement database shapes network")
 
--- | The choice where an object of this name is meant: without another one the plate.
+-- | The choice for an object of this name: the plate's name chooses the plate, unless objects are
+-- chosen by an option.
 holding :: ObjectName -> PlacementChoice -> PlacementChoice
 holding object choice = case choice of
   Shipped | object == plateName -> Plate
@@ -216,12 +217,12 @@ agreeing array file profile = unless (nothingChosen array) $ do
     "the array's options describe another array than that of " ++ visibleName (shownName file)
       ++ "; leave them out"
 
--- | 'chosenWith' where nothing is said about the array.
+-- | 'chosenWith' without options about the array.
 shownWith :: PlacementChoice -> ObjectName -> IO (Profile, Placement)
 shownWith = chosenWith unsaid
 
--- | How much larger than the paper's the symbols of a placement are, and the placement with all its
--- lengths divided by that. Leaves with status 2 where they cannot be felt.
+-- | The size of a placement's symbols relative to the paper's, and the placement with all its
+-- lengths divided by that. Leaves with status 2 if such symbols cannot be felt.
 feltPlacement :: Placement -> IO (Rational, Placement)
 feltPlacement layout = case symbolScale pitch of
   Nothing -> unusable (reliefMessage (PitchNotFelt pitch))

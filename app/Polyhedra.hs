@@ -40,17 +40,18 @@ import PraTactile.Object.Plate (plateSize)
 import System.FilePath (dropExtension, takeFileName)
 import Visible
 
--- | How polyhedra are read, as the command line says.
+-- | The options for reading polyhedra.
 data SolidReading = SolidReading
-  { -- | of files whose ends do not tell it
+  { -- | for files whose names do not end in one
     readingFormat :: Maybe SolidFormat,
-    -- | what all lengths are multiplied by
+    -- | the factor of all lengths
     readingScale :: Rational,
     readingMending :: Mending
   }
   deriving stock (Eq)
 
--- | A name as it says, and files in the format that their ends tell, with triangles put together.
+-- | The default: files in the format that their names end in, unscaled, with coplanar triangles
+-- merged.
 asUsual :: SolidReading
 asUsual = SolidReading Nothing 1 asItIs {mendMerging = TrianglesMerged}
 
@@ -107,15 +108,15 @@ readingWith merging format =
 data Polyhedron = Polyhedron
   { -- | as its file has it, at its scale
     polyhedronGiven :: Mesh,
-    -- | what its file has beside
+    -- | what else its file has
     polyhedronPassed :: [Passed],
     -- | mended
     polyhedronMesh :: Mesh,
     polyhedronChanges :: Changes
   }
 
--- | The polyhedron that a name or a file says. The sheet has room for an array of this shape with
--- symbols so far apart.
+-- | The polyhedron of a name or a file. The sheet has room for an array of this shape with this
+-- pitch.
 polyhedron :: Shape -> Pitch -> SolidReading -> String -> IO Polyhedron
 polyhedron shape between reading subject =
   contentsOf (plateSize shape between) (readingFormat reading) subject >>= readBy reading subject
@@ -171,8 +172,8 @@ formatOption =
         mempty
     )
 
--- | Refuses @--format@ where it says nothing: of polyhedra that are read from files whose ends tell
--- their format, or that have names, and of a file that is written likewise.
+-- | Refuses @--format@ if it would change nothing: if all names of files, read and written, end in a
+-- known format, and it does not choose the text form of STL or PLY for the written one.
 formatHeeded :: Maybe SolidFormat -> [String] -> Maybe FilePath -> IO ()
 formatHeeded said subjects output =
   unless (any untold subjects || any chosen output) $

@@ -1,4 +1,5 @@
--- | Which sensor is simulated: a preset or a file, with constants replaced by options of their own.
+-- | The options that choose the simulated sensor: a preset or a file, and options that replace its
+-- constants.
 module SensorChoice
   ( SensorChoice (..),
     sensorOption,
@@ -69,7 +70,7 @@ sensorOption text =
       <> action "file"
       <> help text
 
--- | @--sensor@ and what replaces its constants.
+-- | @--sensor@, and the options that replace its constants.
 sensorOptions :: Parser SensorChoice
 sensorOptions =
   SensorChoice
@@ -123,7 +124,7 @@ sensorGroup =
     "The simulated sensor"
     (words "sensor position-error noise rotation-error tilt frame taxel spacing")
 
--- | The sensor chosen; leaves with status 2 where it is none.
+-- | The sensor chosen; leaves with status 2 if a constant is impossible.
 chosenSensor :: SensorChoice -> IO Sensor
 chosenSensor choice
   | not (inRange 0 999.999999 (positionSigma choice)) =
@@ -183,7 +184,7 @@ ofPresses choice =
     ("--spacing", isJust (spacing choice))
   ]
 
--- | The region that a sensor explores, taxels, where nothing else is said.
+-- | The region that is explored, in taxels: the chosen one, or the default for the sensor.
 chosenSize :: Maybe (Int, Int) -> Sensor -> (Int, Int)
 chosenSize said sensor = fromMaybe (regionSizeFor sensor) said
 
@@ -209,8 +210,8 @@ readSensor name = case find ((== name) . presetName) [minBound ..] of
               ++ " or the name of a file as 'pra-tactile sensor --json' prints it"
           )
 
--- | The distance of neighbouring taxels, millimetres, that @--taxel@ gives; leaves with status 2
--- where no sensor has it.
+-- | The distance of neighbouring taxels that @--taxel@ gives, in millimetres; leaves with status 2
+-- if it is out of range.
 usableTaxel :: Double -> IO Double
 usableTaxel taxel
   | isTaxelPitch taxel = pure taxel
@@ -258,7 +259,7 @@ bendOption =
         then pure radius
         else readerError (rangeText "a radius, a number of millimetres," (0, longestRadius))
 
--- | In words.
+-- | A bend in words.
 bendText :: Bend -> String
 bendText (Bend radius axis) =
   printf "bent about %s with a radius of %g mm" (bendAxisName axis) radius

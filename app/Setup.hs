@@ -49,13 +49,13 @@ import Visible (visibleName)
 
 -- | The choice of shapes for commands that know no array.
 data AlphabetChoice
-  = -- | nothing is said: those shipped for GF(4)
+  = -- | no option: those shipped for GF(4)
     Usual
   | -- | those shipped for the elements of the field of this order
     OfOrder Natural
   | DrawnIn FilePath
 
--- | @--q Q@, 4 where nothing is said, or @--shapes FILE@.
+-- | @--q Q@, by default 4, or @--shapes FILE@.
 alphabetChoice :: Parser AlphabetChoice
 alphabetChoice =
   DrawnIn <$> shapesFile
@@ -67,7 +67,7 @@ alphabetChoice =
         ("Use the shapes shipped for the elements of GF(q) (default: " ++ show usualOrder ++ ")")
     <|> pure Usual
 
--- | The order of the field whose shapes are meant where nothing is said.
+-- | The order of the field whose shapes are the default.
 usualOrder :: Natural
 usualOrder = 4
 
@@ -78,14 +78,14 @@ alphabetGiven choice = case choice of
   OfOrder _ -> [("--q", True)]
   DrawnIn _ -> [("--shapes", True)]
 
--- | The shapes; leaves with status 2 where there are none.
+-- | The chosen shapes; leaves with status 2 if there are none.
 chosenAlphabet :: AlphabetChoice -> IO Alphabet
 chosenAlphabet choice = case choice of
   Usual -> alphabetOfOrder usualOrder
   OfOrder q -> alphabetOfOrder q
   DrawnIn file -> readAlphabet file
 
--- | The order of the field whose elements the shapes are for, where no file has them.
+-- | The order of the field whose elements the shapes are for, unless they come from a file.
 orderOf :: AlphabetChoice -> Maybe Natural
 orderOf choice = case choice of
   Usual -> Just usualOrder
@@ -123,8 +123,8 @@ shapesFile =
     "Use the shapes drawn in this file, as 'shapes --design' writes it, in place of the shipped \
     \ones"
 
--- | The shapes of an array's symbols, one an element: those in the file, or those shipped. Leaves
--- with status 2 where they are not as many.
+-- | The shapes of an array's symbols, one for each element: those in the file, or the shipped ones.
+-- Leaves with status 2 if their number differs from q.
 alphabetFor :: Maybe FilePath -> Profile -> IO Alphabet
 alphabetFor Nothing profile = alphabetOfOrder (profileOrder profile)
 alphabetFor (Just file) profile = do
@@ -160,8 +160,7 @@ readerWith alphabet weights = do
   file <- networkFor alphabet weights
   pure (readerOf alphabet (fileNetwork file)) {readerCalibration = fileCalibration file}
 
--- | How sure estimates of an alphabet's symbols are, where no file says it: as of the shipped
--- alphabet of as many.
+-- | The calibration of an alphabet without a file: that of the shipped alphabet of the same size.
 calibrationFor :: Alphabet -> Calibration
 calibrationFor alphabet = fromRight (standardCalibration q) (shippedCalibration q)
   where
@@ -179,9 +178,9 @@ networkOption =
     "FILE"
     "Use the weights in this file, as 'train' writes it (default: the shipped ones)"
 
--- | The network that reads an alphabet, from a file in either form, or shipped: those know the
--- shipped shapes only. Leaves with status 2 where a file is none, or is of other shapes; a text
--- does not say of which it is.
+-- | The network that reads an alphabet, from a file in either form, or the shipped one, which knows
+-- only the shipped shapes. Leaves with status 2 if a file holds no network, or one for other
+-- shapes; weights as text do not name their shapes.
 networkFor :: Alphabet -> Maybe FilePath -> IO NetworkFile
 networkFor alphabet weights = case weights of
   Just file -> do

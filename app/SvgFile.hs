@@ -1,4 +1,4 @@
--- | Files that pictures are drawn into.
+-- | Files of pictures.
 module SvgFile
   ( orNotSvg,
     standardOutput,
@@ -12,8 +12,8 @@ import Output
 import System.FilePath (takeExtension)
 import Visible
 
--- | Leave with status 2 if nothing can be written there, or if the name says that the picture is of
--- another form than SVG. A device has no form, whatever it is called.
+-- | Leave with status 2 if nothing can be written there, or if the name ends in another image
+-- format than SVG. A device may have any name.
 orNotSvg :: FilePath -> IO ()
 orNotSvg file = do
   target <- targetOf file >>= orUnusable id

@@ -1,5 +1,4 @@
--- | @pra-tactile advise@: which arrays there are, which there are not and why, and what to do
--- instead.
+-- | @pra-tactile advise@: which arrays exist, which do not and why, and what to do instead.
 module Command.Advise
   ( command,
   )

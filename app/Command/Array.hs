@@ -23,7 +23,7 @@ import PraTactile.Format (encodeArray)
 import PraTactile.Image.Pgm (PgmFormat (..), encodePgm, pgm8)
 import PraTactile.Profile
 
--- | The forms the array can take.
+-- | The output formats.
 data Format = Text | Csv | Json | Pgm | Svg
   deriving stock (Eq, Show)
 

@@ -33,7 +33,7 @@ import PraTactile.Window.Proof (Verdict (..))
 import Progress
 import System.IO
 
--- | What the command line says.
+-- | The options.
 data Asked = Asked
   { askedOrder :: Natural,
     askedModulus :: Maybe [Natural],
@@ -103,8 +103,7 @@ run given = do
       rowsAfter (toInteger shardSize) kept (rowsToMake wanted kept)
   Answered <$ sayCensus (askedForm given) (askedOutput given) shardSize provedOnes
 
--- | The rows after those that are kept, made on all cores, each with whether it says that the
--- windows are distinct.
+-- | The rows after the kept ones, made on all cores, each with whether its windows are distinct.
 rowsToMake :: Wanted -> Kept -> [Either String (Bool, ByteString)]
 rowsToMake wanted kept =
   withStrategy
@@ -113,9 +112,9 @@ rowsToMake wanted kept =
       | (entry, body) <- drop (keptCount kept) (wantedInOrder wanted)
     ]
 
--- | The file's length, and what is in it already: nothing, or the first of the rows that it is to
--- have. Leaves with status 2 if it is anything else, and does not touch it; unless it is damaged
--- and what is whole is to be kept: then the damaged rows are made again first.
+-- | The file's length and its rows so far, which must be the first of the wanted rows. Any other
+-- file is left alone, with status 2. With 'Repaired', the damaged rows of a file are made again
+-- first.
 continued :: Damage -> FilePath -> Wanted -> IO (Int, Kept)
 continued damage file wanted = do
   bytes <- alreadyIn file
@@ -131,8 +130,8 @@ continued damage file wanted = do
           pure (keptBytes kept, kept)
         Left fault -> unusable (censusFileMessage file fault)
 
--- | The file with its damaged rows made again, up to the last whole one; it is replaced whole, so
--- that nothing that was kept is lost if this is interrupted.
+-- | Make the damaged rows of a file again, up to the last whole one. The file is replaced whole, so
+-- that an interruption loses no kept row.
 repaired :: FilePath -> Wanted -> Contents -> IO Kept
 repaired file wanted contents = do
   (parts, left) <- orUnusable (censusFileMessage file) (keptOfDamaged wanted contents)
@@ -147,8 +146,8 @@ repaired file wanted contents = do
 isProved :: Entry -> Bool
 isProved = either (const False) proved . entryVerdict
 
--- | Write the rows after those that are kept, each at once and whole, given how many there are in
--- all; the number of rows that say that the windows are distinct.
+-- | Write the rows after the kept ones, each at once and whole, given the number of all rows.
+-- Returns the number of rows with distinct windows.
 rowsAfter :: Integer -> Kept -> [Either String (Bool, ByteString)] -> Handle -> IO Int
 rowsAfter total kept made handle = do
   when (keptBytes kept == 0) (Bytes.hPutStr handle (headerLine <> "\n"))

@@ -81,7 +81,7 @@ run drawn on evidence output form choice = do
       for_ output (report form certificate)
       pure Answered
 
--- | What was written to a file.
+-- | Report what was written to a file.
 report :: AnswerForm -> Certificate -> FilePath -> IO ()
 report form certificate file = sayWrittenAs form file inWords "certificate-written/1" keys
   where

@@ -1,4 +1,4 @@
--- | @pra-tactile classify@: which symbol an image of one shows.
+-- | @pra-tactile classify@: which symbol an image shows.
 module Command.Classify
   ( command,
   )
@@ -29,7 +29,7 @@ data Options = Options
     levels :: (Double, Double),
     fullScale :: Maybe Double,
     form :: AnswerForm,
-    -- | 'Nothing': a path a line of the standard input
+    -- | 'Nothing': paths on the standard input, one a line
     given :: Maybe [FilePath]
   }
 
@@ -92,7 +92,7 @@ run choice options
     misused "--network is only for --classifier network"
   | otherwise = do
     alphabet <- chosenAlphabet choice
-    -- The others need no network, and so there may be none.
+    -- The other classifiers need no network, so a missing network is no error.
     classifier <- case method options of
       ByMeans -> pure (meansClassifier (calibrationFor alphabet) alphabet)
       ByLogistic -> pure (logisticClassifier (calibrationFor alphabet) alphabet)
@@ -113,11 +113,11 @@ run choice options
       Just paths -> maximum . (Answered :) <$> traverse one paths
       Nothing -> forLines next Answered
 
--- | Why there is no image of a symbol.
+-- | The reason why a path gives no image of a symbol.
 data NoImage = NoImage
-  { -- | where the file is named beside it
+  { -- | for output that names the file itself
     reason :: String,
-    -- | by itself
+    -- | as a complete sentence, with the name of the file
     sentence :: String
   }
 
@@ -160,7 +160,7 @@ told form' path shown = do
           (sum (take 1 (drop c (classifiedChances shown))))
       Nothing -> verdictName (classifiedVerdict shown)
 
--- | Print that a line names no image of a symbol, and why.
+-- | Print that a line gives no image of a symbol, and why.
 invalid :: AnswerForm -> FilePath -> NoImage -> IO ExitStatus
 invalid form' path why = do
   case form' of

@@ -77,7 +77,7 @@ chosenProfiles files = case files of
   [] -> pure defaultProfiles
   _ -> traverse (\file -> (,) (name file) <$> readProfile file) files
   where
-    -- What a script hands over as a descriptor has no name.
+    -- A file descriptor has no name of its own.
     name file
       | "/dev/" `isPrefixOf` file = "profile"
       | otherwise = visibleName (takeBaseName file)
@@ -105,7 +105,7 @@ conformed options settings suite subject = do
       (Just token, one : _) -> replayed chosen suite token one
       _ -> whole chosen suite started
 
--- | Why there is nothing to be asked.
+-- | The complaint about a subject that does not start.
 notStarted :: Command -> Fault -> String
 notStarted subject fault = case faultKind fault of
   CannotStart -> "cannot start " ++ name ++ ": " ++ faultDetail fault
@@ -119,7 +119,7 @@ notStarted subject fault = case faultKind fault of
   where
     name = visibleName (commandProgram subject)
 
--- | Try all that was chosen.
+-- | Try all chosen laws.
 whole :: Settings -> Suite Known -> [Subject] -> IO Report
 whole settings suite started =
   withProgress (unevenly total "cases") $ \bar -> do
@@ -138,7 +138,7 @@ replayed settings suite token subject = do
     Just (Left why) -> unusable (formatMessage "the token's case" "a case of its law" why)
     Just (Right report) -> pure report
 
--- | Print the report, and say by the status what it comes to.
+-- | Print the report; the status says whether the subject is certified.
 told :: Options -> Report -> IO ExitStatus
 told options report = do
   printAs (form options) (concatMap shown (lines (reportText again report))) (encodeReport report)

@@ -83,7 +83,8 @@ run options = do
     "taxels are " ++ intercalate " and " (map (printf "%.4g") spacings)
       ++ " mm apart; state the distance by --taxel"
   when (several axes) (unusable "the manifests say different axes; convert one folder at a time")
-  -- What is asked of all frames is known before the first is made, so that none is kept.
+  -- Everything about all frames is known before the first is made, so that frames need not be kept
+  -- in memory.
   images <- length sizes `seq` for felt (asPgm (fullScale options))
   let taken =
         (listing [entry {entryFile = name} | (name, entry) <- zip names entries])
@@ -111,8 +112,8 @@ run options = do
       0 -> ""
       n -> "; " ++ show n ++ " " ++ what
 
--- | A frame as a binary PGM file, and how many of its taxels have no reading, and of its readings
--- are above full scale. Readings stay as they are where PGM has room for them and full scale is the
+-- | A frame as a binary PGM file, the number of its taxels without a reading, and the number of its
+-- readings above full scale. Readings are kept exactly if they fit into PGM and full scale is the
 -- file's own.
 asPgm :: Maybe Double -> (Felt, Images) -> IO (ByteString, Int, Int)
 asPgm full (felt, images) = do

@@ -61,7 +61,7 @@ data Options = Options
     paths :: [FilePath]
   }
 
--- | What the sources show.
+-- | How several sources belong together.
 data Sharing
   = EachItsOwn
   | -- | one face, in the robot's coordinates
@@ -185,7 +185,7 @@ toleranceOptions foreignThings =
         (Tolerance doubt wrong others axes (fromMaybe usualSlip slip))
         (isJust slip)
 
--- | @--foreign@: the prior of it.
+-- | @--foreign@: the prior of foreign things.
 foreignOption :: Parser Double
 foreignOption =
   defaulting
@@ -196,7 +196,7 @@ foreignOption =
     "Prior probability that what was touched is not of this array, though its symbols have the \
     \same shapes"
 
--- | What is wrong with a choice of these.
+-- | The complaint about a tolerance with an impossible value.
 toleranceComplaint :: ToleranceChoice -> Maybe String
 toleranceComplaint choice
   | not (isShare (toleratedDoubt given)) = Just "--doubt must be a probability from 0 to below 1"
@@ -225,7 +225,8 @@ run options choice
     world <- traverse readPlane (plane options)
     withNear choice (objects options) (decodeAll world options found)
 
--- | Decode the sources by a profile, a placement, and what reads the objects that lie somewhere.
+-- | Decode the sources by a profile, a placement, and an action that reads the objects near given
+-- cells.
 decodeAll ::
   Maybe RigidMotion ->
   Options ->
@@ -256,7 +257,7 @@ decodeAll world options found profile layout near = do
           when (several && form options == AsText) (putStrLn (visibleName path ++ ":"))
           decoder [path] [composite]
 
--- | Refuses options that say nothing of what these sources are.
+-- | Refuses options that do not apply to these sources.
 heeded :: Options -> [SourcePath] -> IO ()
 heeded options found = do
   when (onlyImages found) $
@@ -274,10 +275,10 @@ heeded options found = do
   unless (null (places options) || sharing options == OneFace) $
     misused "--origin is for whole images that are decoded --together"
   where
-    -- Of several sources another one may have slipped.
+    -- If there are several sources, a whole source may have slipped.
     among sources = sharing options == OneFace && not (null (drop 1 sources))
 
--- | How composites of one face, given their names, are decoded and the answer is printed.
+-- | The action that decodes composites of one face, given their names, and prints the answer.
 decoderOn ::
   Profile ->
   Placement ->
@@ -293,7 +294,8 @@ decoderOn profile layout symbols near world options = do
           <$> recogniser (ArrayOn on array) mask layout symbols
   orUnusable recogniserMessage =<< orUnusable profileMessage (withProfile profile made)
 
--- | The composites, whole images at the places given for them; frames know their own.
+-- | The composites, with whole images moved to the places given by @--origin@; frames know their
+-- own places.
 placed :: [(Double, Double)] -> [(SourcePath, Composite)] -> IO [Composite]
 placed given found
   | wholeImages == length given = pure (go given found)
@@ -310,7 +312,7 @@ placed given found
       composite {compositeOrigin = at `plus` compositeOrigin composite} : go others rest
     go ats ((_, composite) : rest) = composite : go ats rest
     go _ [] = []
-    -- Of an image that was brought to another pitch the origin is beside its pixel.
+    -- The origin of a resampled image is not the centre of its first pixel.
     plus (x, y) (dx, dy) = (x + dx, y + dy)
 
 -- | Decode composites of one face: draw the picture, print the answer.
@@ -327,8 +329,8 @@ decodeWith ::
   IO ExitStatus
 decodeWith profile array near world options bare from composites = do
   seen <- orUnusable networkMessage (sight (recogniserReader bare) composites)
-  -- Where it is on the array is known without the objects; of a database those that lie there are
-  -- read then.
+  -- The position on the array is found without the objects. Then those that lie there are read from
+  -- a database.
   objects' <- near (cellsShown tolerating bare seen)
   let reader = maybe bare (\there -> bare {recogniserPlacement = there}) objects'
   recognition <-

@@ -31,7 +31,7 @@ import Setup
 import SvgFile
 import Visible
 
--- | What is drawn.
+-- | The kind of picture.
 data Subject = OneSolid | WholeSheet | Layings | Encoded
   deriving stock (Eq, Show)
 

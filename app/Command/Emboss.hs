@@ -1,4 +1,4 @@
--- | @pra-tactile emboss@: objects with their symbols raised, as files for those who make them.
+-- | @pra-tactile emboss@: objects with their symbols raised, as files for a printer or a cutter.
 module Command.Emboss
   ( command,
   )
@@ -39,7 +39,7 @@ data Options = Options
     form :: AnswerForm
   }
 
--- | What files are.
+-- | The kind of the files.
 data Making
   = Surface SurfaceFormat
   | Drawn
@@ -129,13 +129,13 @@ formatOption =
     )
     mempty
 
--- | What can be made, by its name, and the ending of its files' names.
+-- | The kinds of files by their names, with the endings of file names.
 makings :: [(String, (Making, String))]
 makings =
   [(surfaceName it, (Surface it, surfaceEnding it)) | it <- surfaceFormats]
     ++ [("svg", (Drawn, ".svg"))]
 
--- | The endings of all files that are made, each once.
+-- | All endings of file names, each once.
 endings :: [String]
 endings = nub (map (snd . snd) makings)
 
@@ -183,7 +183,7 @@ run options = do
       writeFolder
         (output options)
         [(madeFile told, Lazy.toStrict bytes) | (told, bytes) <- files]
-  -- What stands on the standard output is the file alone.
+  -- If the file goes to the standard output, nothing else does.
   unless (oneFile && output options == "-") $ do
     let placed name = if oneFile then output options else output options </> name
         told = [made {madeFile = placed (madeFile made)} | (made, _) <- files]
@@ -202,8 +202,8 @@ run options = do
         Right [laid | laid <- laidFaces layout, faceObject (laidFace laid) == named]
       Just (named, Just (face, _)) -> (: []) <$> findFace layout named face
 
--- | What is made: a net is a drawing; else what @--format@ says, or the ending of the file's name,
--- or STL.
+-- | The kind of the files: a drawing for a net; else that of @--format@, of the ending of the
+-- file's name, or STL.
 kindOf :: Options -> IO Making
 kindOf options = case (asNet options, format options) of
   (Just _, given)
@@ -223,15 +223,15 @@ kindOf options = case (asNet options, format options) of
         ++ intercalate ", " endings
         ++ ", the forms that emboss writes"
 
--- | Whether one file is made, and not a folder of some.
+-- | Whether one file is written, and not a folder of files.
 isOneFile :: Options -> Making -> Bool
 isOneFile options kind = case asked options of
   Nothing -> False
   Just (_, Nothing) -> not (drawn kind) || asNet options == Just Nothing
   Just (_, Just _) -> True
 
--- | Leaves with status 2 where a file's name ends as those of another format do, or a folder's as a
--- file's.
+-- | Leaves with status 2 if a file's name has the ending of another format, or a folder's name that
+-- of a file.
 orMisnamed :: Bool -> Making -> FilePath -> IO ()
 orMisnamed oneFile kind name
   | oneFile =
@@ -248,7 +248,7 @@ orMisnamed oneFile kind name
       Surface format' -> surfaceEnding format'
       Drawn -> ".svg"
 
--- | From the last dot of a name on.
+-- | The ending of a name, from its last dot on, in lower case.
 endingOf :: FilePath -> String
 endingOf = map toLower . takeExtension
 

@@ -141,7 +141,7 @@ command =
           \continues an unfinished file"
         <*> jsonSwitch "Print the counts as JSON; for a shard also each press, for 'merge'"
 
--- | How the faces lie.
+-- | The options for how the faces lie turned.
 turnsOption :: Parser Turns
 turnsOption =
   flag'
@@ -153,7 +153,7 @@ turnsOption =
     <|> (TurnedBy <$> angleOption "The faces lie turned clockwise by this angle")
     <|> pure (AmongTurns halfTurns)
 
--- | The share of all foreign presses: of those on other arrays alone where no other is stated.
+-- | The share of all foreign presses: that of @--foreign-arrays@ if no other is given.
 allForeign :: Options -> Maybe Double
 allForeign options = foreignPresses options <|> foreignArrayPresses options
 
@@ -234,11 +234,11 @@ run options choice
     fileOf (Reader alphabet _ _ network sure) =
       NetworkFile network (alphabetDigest alphabet) sure Nothing Nothing
 
--- | What is kept of a press: the error of its pose as well, or not.
+-- | Whether the error of a press's pose is kept.
 data Kept = WithPoses | CountsAlone
   deriving stock (Eq)
 
--- | Print or write what comes of the presses of a shard.
+-- | Print or write the results of the presses of a shard.
 delivered :: Options -> (Int, Int) -> Evaluation -> Part -> (Kept -> [Press]) -> IO ()
 delivered options region evaluation part pressesOf = case (output options, shard options) of
   (Just file, _) -> do
@@ -266,9 +266,8 @@ delivered options region evaluation part pressesOf = case (output options, shard
     asked = form options
     told = countsText options region evaluation part
 
--- | What an unfinished file has already: its length up to the last whole press, the presses, and
--- whether they are all; it must begin so. Leaves with status 2, and does not touch it, where it is
--- anything else.
+-- | The contents of an unfinished file: its length up to the last whole press, the presses, and
+-- whether they are complete. Any other file is left alone, with status 2.
 continued :: FilePath -> ByteString -> Evaluation -> Part -> IO (Int, [Press], Bool)
 continued file bytes evaluation part
   | bytes `Bytes.isPrefixOf` begins = pure (0, [], False)
@@ -293,9 +292,9 @@ document evaluation part (kept, before) others handle = do
     line = pressLine evaluation part
     put bytes = Bytes.hPutStr handle bytes >> hFlush handle
 
--- | The counts of presses, those that were made before among them; others are made on all cores as
--- they are needed, and let go once something is done with each and it is counted. Says how far it
--- is where a person looks on.
+-- | The counts of all presses, including those made before. The others are made on all cores as
+-- they are needed. Each is given to the action, counted and dropped from memory. Shows progress on
+-- a terminal.
 pressesCounted :: Evaluation -> Part -> [Press] -> (Press -> IO ()) -> [Press] -> IO Counts
 pressesCounted evaluation part before put others =
   withProgress (doneBefore done (evenly (partSize evaluation part) "presses")) $ \bar ->
@@ -311,14 +310,14 @@ pressesCounted evaluation part before put others =
       counts' `seq` tell bar i
       pure counts'
 
--- | Faces whose symbols, all of them together, do not tell where on the array they are.
+-- | Faces whose position on the array cannot be found even from all their symbols.
 unreadable :: KnownField k => PseudorandomArray k -> [LaidFace] -> [LaidFace]
 unreadable array = filter (either (const False) tooFew . maskFrom . blockCells . laidBlock)
   where
     tooFew mask = windowRank array mask < degreeOf array
     degreeOf = fromIntegral . primitiveDegree . arrayPrimitive
 
--- | What is said of such faces among those that are pressed.
+-- | The warning about unreadable faces among the pressed ones.
 unreadWarning :: Profile -> [LaidFace] -> [LaidFace] -> Maybe String
 unreadWarning profile unread pressed = case unread of
   [] -> Nothing
@@ -354,7 +353,7 @@ evaluationOf profile options simulated =
           }
     }
 
--- | How many presses are meant, and how many of them a shard has.
+-- | The number of presses, and how many of them a shard has.
 pressesText :: Evaluation -> Part -> String
 pressesText evaluation part
   | partOf part == 1 = count ++ " presses"

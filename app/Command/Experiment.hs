@@ -82,8 +82,8 @@ command =
             <> help text
         )
 
--- | What is kept of a row with a seed: for each kind of middle stage the counts, and of the first
--- seed the curves of learning, by stage.
+-- | The kept results of a row with one seed: the counts for each kind of middle stage, and for the
+-- first seed the learning curves by stage.
 type Kept = [([[(Int, Int)]], [(Int, [(Double, Double)])])]
 
 run :: AlphabetChoice -> Options -> IO ExitStatus
@@ -131,7 +131,7 @@ keyOf row =
     alphabetSize (symbolShapes (rowSymbols row))
   )
 
--- | Each row with what is kept of it with each seed; says how far it is where a person looks on.
+-- | Each row with its results for each seed; shows progress on a terminal.
 carriedOut ::
   [Row] -> [((String, Maybe String, Int), Images)] -> [Int] -> IO [(Row, [Kept])]
 carriedOut rows made chosen =
@@ -159,7 +159,7 @@ carriedOut rows made chosen =
       ([], _) -> []
       (here, others) -> here : chunks n others
 
--- | The decimal logarithm of the error after each of some three hundred epochs of a stage.
+-- | The decimal logarithm of the error after about three hundred epochs of a stage.
 curve :: Trace -> [(Double, Double)]
 curve trace =
   [ (fromIntegral (epochNumber e), logBase 10 (max 1e-40 (epochError e)))
@@ -263,7 +263,7 @@ learningCurves table =
     least = minimum (0 : [e | (_, stages) <- plain, (_, points) <- stages, (_, e) <- points])
     bottom = max (-12) (2 * floor (least / 2))
 
--- | Five marks from 0 to a round number that is no less than this one.
+-- | Five marks from 0 to a round number of at least this size.
 quarters :: Double -> [(Double, String)]
 quarters most = [(top * k / 4, hundredths (top * k / 4)) | k <- [0 .. 4]]
   where

@@ -32,7 +32,7 @@ run choice form = withChosenField choice $ \k -> do
   printAs form (unlines (fieldText k)) (encodeField k)
   pure Answered
 
--- | For people; the tables of two arguments only where they fit a page.
+-- | The field in words; the tables of sums and products only if they fit on a page.
 fieldText :: forall k. KnownField k => Proxy k -> [String]
 fieldText k =
   [ "GF("
@@ -112,7 +112,7 @@ written terms = case [term c i | (i, c) <- reverse (zip [0 :: Int ..] terms), c 
       | otherwise = show c ++ " " ++ variablePower i
     variablePower i = if i == 1 then "x" else "x^" ++ show i
 
--- | Lines of words in columns, to the right.
+-- | Lines of words in columns, flush right.
 aligned :: [[String]] -> [String]
 aligned grid = [unwords (zipWith pad widths line) | line <- grid]
   where

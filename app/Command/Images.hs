@@ -29,7 +29,7 @@ import SensorChoice (readSensor, sensorOption)
 import Setup
 import Visible (visibleName)
 
--- | Which images are meant.
+-- | The options about the images.
 data ImageChoice = ImageChoice
   { imagesPressed :: Bool,
     -- | a preset's name, or a file's
@@ -37,7 +37,7 @@ data ImageChoice = ImageChoice
     imagesAnyAngle :: Bool
   }
 
--- | @--set@, @--sensor@ and @--any-angle@; where nothing is said, presses, or not.
+-- | @--set@, @--sensor@ and @--any-angle@, given the default of @--set@ as a property.
 imageChoice :: Mod OptionFields Bool -> Parser ImageChoice
 imageChoice standard =
   ImageChoice
@@ -56,7 +56,7 @@ imageChoice standard =
       )
     <*> switch (long "any-angle" <> help "The pressed plates lie turned by any angle")
 
--- | The source of the images; leaves with status 2 where there is no such sensor.
+-- | The source of the images; leaves with status 2 if there is no such sensor.
 chosenImages :: ImageChoice -> IO ImageSource
 chosenImages choice
   | imagesPressed choice = do
@@ -142,7 +142,8 @@ run choice options
     pure Answered
   where
     ours alphabet = pure (symbolsOf alphabet, id, count options)
-    -- Frames are put together by what is known of our symbols, and so many shapes stand for others.
+    -- Frames are stitched by the lattice of the chosen symbols; this many foreign shapes take
+    -- their places.
     others alphabet least = do
       foreign' <- orUnusable shapeMessage (foreignShapes (seed options) least kinds alphabet)
       pure
@@ -151,7 +152,7 @@ run choice options
           (count options + kinds - 1) `div` kinds
         )
     kinds = 16
-    -- An image as it is made, and as a file with its name and its line of labels.
+    -- The memory of an image, of its file with its name, and of its line of labels.
     bytesEach = 1500
     found source (symbols, label, each) = do
       let wantedCount = each * alphabetSize (symbolShapes symbols)

@@ -31,13 +31,13 @@ import System.IO (hFlush, stdout)
 data Options = Options
   { decoder :: Maybe DecoderName,
     radius :: Radius,
-    -- | 'Nothing' as is usual
+    -- | 'Nothing': the default
     doubtGiven :: Maybe Double,
     foreignThings :: Maybe Double,
     turning :: Turning,
     explained :: Explained,
     form :: AnswerForm,
-    -- | 'Nothing': one a line from the standard input
+    -- | 'Nothing': patches on the standard input, one a line
     source :: Maybe [String]
   }
 
@@ -121,7 +121,7 @@ optionsParser =
 usualDoubt :: Double
 usualDoubt = 0.001
 
--- | The probability of a wrong answer that is tolerated.
+-- | The largest tolerated probability of a wrong answer.
 doubt :: Options -> Double
 doubt = fromMaybe usualDoubt . doubtGiven
 
@@ -177,7 +177,7 @@ run surface options choice
             )
         )
 
--- | The answer to what was read, in words and as JSON.
+-- | The answer to a patch, in words and as JSON.
 data Response = Response
   { -- | Whether some cells were given by probabilities.
     responseLikely :: Bool,
@@ -186,9 +186,9 @@ data Response = Response
     responseReport :: AnswerReport
   }
 
--- | How patches, as they are written, are answered; the answering function refuses in words what is
--- no patch. It is itself refused, before any patch is read, where the array has no locator on this
--- surface. Tables of the array are computed once, when the first patch needs them.
+-- | The function that answers written patches, and refuses in words a text that is no patch. There
+-- is none, whatever the patches, if the array has no locator on this surface. Tables of the array
+-- are computed once, when the first patch needs them.
 responder ::
   KnownField k =>
   Options ->
@@ -229,7 +229,7 @@ responder options profile on@(ArrayOn _ array) mask = do
           queryRadius = radius options,
           queryDoubt = doubt options,
           queryForeign = foreignThings options,
-          -- Of symbols that are told nobody knows how they looked.
+          -- Stated symbols have no images that could look unlike all shapes.
           queryUnlike = -1 / 0,
           queryBeforehand = Nothing
         }
@@ -255,7 +255,7 @@ answering profile options respond = case source options of
     when (form options == AsText) (mapM_ warn (weaknesses (responseAnswer response)))
     pure (statusOf response)
 
--- | That random symbols would be located as well, and what nothing checks.
+-- | Warnings: that random symbols would be located, too, and what no parity check covers.
 weaknesses :: Answer -> [String]
 weaknesses answer = case answerOutcome answer of
   Unique _ _ ->
@@ -263,7 +263,7 @@ weaknesses answer = case answerOutcome answer of
       ++ map ("warning: " ++) (foldMap unchecked (answerChecks answer))
   _ -> []
 
--- | One line after another, each answered at once; the worst status of all.
+-- | Answer one line after another, each at once; the status is the worst of all.
 batch :: Profile -> (Text -> Either String Response) -> IO ExitStatus
 batch profile respond = forLines answerLine Answered
   where
@@ -287,7 +287,7 @@ data Turning
     Any
   deriving stock (Eq, Ord, Show, Enum, Bounded)
 
--- | As the command line has it.
+-- | The name of a choice on the command line.
 turningName :: Turning -> String
 turningName how = case how of
   Upright -> "upright"

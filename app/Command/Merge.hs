@@ -103,14 +103,14 @@ run files damage output form = do
           (length (filter (foundProved . rowFindings) rows))
   pure Answered
   where
-    -- What no census begins with.
+    -- A census never begins with a brace.
     isJson = ("{" `Bytes.isPrefixOf`)
     evaluationShard file bytes
       | Bytes.null bytes = unusable (notMergedMessage (Unfinished file))
       | otherwise = orUnusable (evaluationFileMessage file) (Evaluation.contentsOf bytes)
 
--- | The rows of a file, all of them, or those that are whole if that is asked for, and what is to
--- be said of them. Leaves with status 2 if it is damaged.
+-- | The rows of a file, and notices about them. A damaged file leaves with status 2; with
+-- 'Repaired', its whole rows are taken.
 shard :: Damage -> FilePath -> ByteString -> IO (Shard, [String])
 shard damage file bytes = do
   contents <- orUnusable (censusFileMessage file) (contentsOf bytes)
@@ -123,8 +123,8 @@ shard damage file bytes = do
          in pure (Shard file (Map.elems kept), [keptMessage file (Map.size kept) lost])
     Left fault -> unusable (censusFileMessage file fault)
 
--- | Whether both paths lead to the same file, however they are spelt and over whatever links, hard
--- ones among them. What does not exist is the same as nothing.
+-- | Whether both paths lead to the same file, in any spelling and over any symbolic or hard links.
+-- A file that does not exist equals no other.
 sameFile :: FilePath -> FilePath -> IO Bool
 sameFile a b = (\x y -> Just True == ((==) <$> x <*> y)) <$> identity a <*> identity b
   where

@@ -1,5 +1,5 @@
 -- | @pra-tactile objects@: the objects and where their faces lie on the array; the database of that
--- mapping, which is asked, changed and checked.
+-- mapping is used, changed and verified.
 module Command.Objects
   ( command,
   )
@@ -141,7 +141,7 @@ run options choice = do
         ++ [taskName what | Just what <- [task options]]
     enumerated names = unwords (map (++ ",") (init names)) ++ " " ++ last names
 
--- | Go on with the profile and what tells where a window is, in memory or by the database alone.
+-- | Continue with the profile and the look-up of windows, in memory or in the database.
 asking ::
   ArrayChoice -> PlacementChoice -> (Profile -> (Position -> IO Whereabouts) -> IO a) -> IO a
 asking choice from ask = case ofDatabase from of
@@ -160,7 +160,7 @@ lookUp options position profile whereIs = do
   printAs (form options) (whereText place ++ "\n") (encodeWhereabouts profile position place)
   pure Answered
 
--- | One line after another, each answered at once; the worst status of all.
+-- | Answer one line after another, each at once; the status is the worst of all.
 batch :: Profile -> (Position -> IO Whereabouts) -> IO ExitStatus
 batch profile whereIs = forLines answerLine Answered
   where
@@ -175,7 +175,7 @@ batch profile whereIs = forLines answerLine Answered
       position <- readPosition (Text.unpack text)
       maybe (Right position) Left (offArray profile position)
 
--- | That the array has no such cell.
+-- | The complaint about a position outside the array.
 offArray :: Profile -> Position -> Maybe String
 offArray profile position
   | row position < high && column position < wide = Nothing

@@ -1,5 +1,5 @@
--- | @pra-tactile place@: where the faces of any objects are laid on an array, or that they cannot
--- be.
+-- | @pra-tactile place@: lay the faces of any objects on an array, or prove that this is
+-- impossible.
 module Command.Place
   ( command,
   )
@@ -130,7 +130,7 @@ command =
         <*> arrayChoice
     )
 
--- | @OBJECT:VERTICES@, the vertices parted by spaces or commas.
+-- | @OBJECT:VERTICES@, the vertices separated by spaces or commas.
 faceReader :: ReadM (ObjectName, FaceName)
 faceReader = eitherReader $ \text -> case break (== ':') text of
   (owner@(_ : _), ':' : walk@(_ : _)) ->
@@ -153,7 +153,7 @@ run options choice = do
   let known = maybe [] placementSolids before ++ new
       lying = maybe [] laidFaces before
       laidOn profile layings = placement (profileShape profile) between known layings
-  -- Names that are there twice, and faces that there are not, are refused before the search.
+  -- Repeated names and unknown faces are refused before the search.
   _ <- orUnusable placementMessage (laidOn (fromMaybe canonicalProfile chosen) (map layingOf lying))
   wishes <- wanted between options known new
   let bare = [body | body <- new, solidName body `notElem` map (faceObject . wantedFace) wishes]
@@ -163,7 +163,7 @@ run options choice = do
       laidOf asked = do
         arrays <- maybe (smallestArrays choice (needed asked)) (\it -> pure [[it]]) chosen
         pure (needed asked, firstLaid (map laidBlock lying) (search asked) arrays)
-      -- Why no array has room for what is wished.
+      -- Why no array has room for the wanted faces.
       hopeless
         | null wishes = Just (nothingCarries between new)
         | otherwise =
@@ -236,7 +236,7 @@ run options choice = do
             mostSymbols (placementPitch place) body name
         }
 
--- | What there is to warn of faces whose cells have a rank below the polynomial's degree.
+-- | The warning about faces whose cells have a rank below the polynomial's degree.
 untold :: Natural -> [ReportedLaying] -> Maybe String
 untold degree reported = case filter below reported of
   [] -> Nothing
@@ -252,9 +252,9 @@ untold degree reported = case filter below reported of
     below one = any (< degree) (maskRank (reportedProof one))
     faceOf (Face owner walk) = visible (objectText owner) ++ ", " ++ visible (faceText walk)
 
--- | The first array on which all is laid, by that of its windows that lies wholly on the most
--- faces, the first of several; or the last array, where all is laid on none. Each is given by its
--- profiles, one a window.
+-- | The first array on which all faces are laid, with the first of its windows that lies wholly on
+-- the most faces; or the last array, if none has room. An array is given by its profiles, one for
+-- each window.
 firstLaid :: [Block] -> (Profile -> Found) -> [[Profile]] -> (Profile, Found)
 firstLaid lying search arrays = case arrays of
   (profile : others) : more -> case search profile of
@@ -292,8 +292,8 @@ smallestArrays choice cells = do
       Single folding -> Just folding
       Joint _ -> Nothing
 
--- | The array, unless the smallest one is asked for; the distances of symbols; what lies there
--- already.
+-- | The array, unless the smallest one is wanted; the distances of symbols; the faces that lie
+-- there already.
 ground :: ArrayChoice -> Options -> IO (Maybe Profile, Pitch, Maybe Placement)
 ground choice options = case onto options of
   Just _
@@ -326,7 +326,8 @@ objectLines file = do
   text <- orUnusable ((visibleName file ++) . notUtf8Message) (plainUtf8 bytes)
   pure [line | line <- textLines (Text.unpack text), not (all isSpace line)]
 
--- | The faces to be laid: those named of objects that some are named of, and all of the new ones.
+-- | The faces to be laid: those named by @--face@, and all faces of new objects without a named
+-- one.
 wanted :: Pitch -> Options -> [Solid] -> [Solid] -> IO [Wanted]
 wanted between options known new = do
   said <- for (faces options) $ \(owner, walk) -> do
@@ -341,7 +342,7 @@ wanted between options known new = do
   where
     byName = Map.fromList [(solidName body, body) | body <- known]
 
--- | What is proved of the contents of blocks, once for each that is another.
+-- | The proofs about the contents of blocks, computed once for equal blocks.
 proved :: KnownField k => PseudorandomArray k -> [Block] -> [MaskProof]
 proved array blocks = map (\given -> Map.findWithDefault unknown (cells given) proofs) blocks
   where
@@ -359,7 +360,7 @@ proved array blocks = map (\given -> Map.findWithDefault unknown (cells given) p
               (minimumDistanceWithin (2 ^ (20 :: Int)) array mask)
           )
 
--- | Print the report, unless the standard output is the file's.
+-- | Print the report, unless the placement goes to the standard output.
 told :: Options -> PlaceReport -> String -> IO ()
 told options report sentence =
   unless (placeOutcome report == IsPlaced && output options == Just "-") $

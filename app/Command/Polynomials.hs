@@ -19,7 +19,7 @@ import PraTactile.Format (PolynomialKind (..), encodePolynomials)
 import PraTactile.Polynomial
 import System.IO (BufferMode (..), hSetBuffering, stdout)
 
--- | What of them.
+-- | Which polynomials are printed.
 data Wanted = All | Count | First | FewestTerms | Random Word64
   deriving stock (Eq, Show)
 
@@ -82,7 +82,7 @@ wanted =
         "Print only one, drawn uniformly; a seed always gives the same one"
     <|> pure All
 
--- | Far more than can be decided, and little enough to hold.
+-- | Far above any degree that can be decided, and small enough for the memory.
 largestDegree :: Natural
 largestDegree = 10000
 
@@ -96,7 +96,7 @@ run choice n kind what form
       Answered <$ case form of
         AsJson -> Lazy8.putStrLn (encodePolynomials k n kind found)
         AsText -> do
-          -- A line at once for every polynomial found, for the next one may take long.
+          -- Print each polynomial as soon as it is found: the next one may take long.
           hSetBuffering stdout LineBuffering
           either print (mapM_ (putStrLn . intercalate "," . map show)) found
 

@@ -44,7 +44,7 @@ data Options = Options
     face :: Maybe String,
     at :: Maybe (Double, Double),
     size :: Maybe (Int, Int),
-    -- | 'Nothing': by chance upright or turned by 180 degrees
+    -- | 'Nothing': at random upright or turned by 180 degrees
     turns :: Maybe Turns,
     sensor :: SensorChoice,
     seed :: Int,
@@ -56,7 +56,7 @@ data Options = Options
     truthFile :: Maybe FilePath,
     objects :: PlacementChoice,
     shapesFile :: Maybe FilePath,
-    -- | what was made of the object, pressed in its place
+    -- | a mesh that is pressed in place of the object
     meshFile :: Maybe FilePath,
     meshReading :: SolidReading,
     -- | of the frames' files and of the mesh
@@ -155,7 +155,7 @@ optionsParser =
   where
     place = pairReader ',' "12.7,40"
 
--- | That of the mesh, if it is given.
+-- | The format of the mesh, if it is given.
 meshFormat :: Options -> Maybe SolidFormat
 meshFormat = listToMaybe . reverse . rights . formats
 
@@ -294,8 +294,8 @@ pressing choice options how object = do
   when (announced options == Announced) (putStrLn (truthText truth))
   pure Answered
 
--- | The polyhedron in a file, whose end tells its format, or else an STL file, read as the command
--- line says.
+-- | The polyhedron in a file, read as the options say. The file has the format that its name ends
+-- in, or else is STL.
 meshIn :: SolidReading -> FilePath -> IO Mesh
 meshIn reading file = do
   contents <- fileContents (readingFormat reading <|> Just Stl) file

@@ -63,7 +63,7 @@ run drawn on form source choice = do
     (encodeProof (ofWhat result) (windowMask result) (verdict result) (apart result))
   pure (if proved (verdict result) then Answered else NotAnswered)
 
--- | What was found, of the windows of which array.
+-- | The verdict on the windows of an array.
 data Result = Result
   { ofWhat :: Subject,
     windowMask :: Mask,
@@ -81,8 +81,7 @@ ofProfile choice drawn on = do
   found <- whileWorking working outcome >>= orUnusable proofMessage
   pure (Result (OfProfile profile) mask found far)
   where
-    -- The distance is that of the windows on the array's own surface, and is given if it takes no
-    -- long search.
+    -- The distance of the windows on the array's own surface, if no long search is needed.
     distanceOn on' array mask
       | on' == naturalSurface (arrayFolding array) =
         either (const Nothing) Just (minimumDistanceWithin (2 ^ (20 :: Int)) array mask)
@@ -103,7 +102,7 @@ ofFile file choice drawn on = do
       >>= orUnusable proofMessage
   pure (Result (OfFile (nameInJson file) grid) mask found Nothing)
 
--- | What is done meanwhile.
+-- | The text of the progress line.
 working :: String
 working = "visiting windows"
 
@@ -134,7 +133,8 @@ verdictText (Result subject mask found far) =
       " (rank " ++ show r ++ maybe "" (\n -> ", needed " ++ show n) (needed found) ++ ")"
     at (Position r c) = show r ++ ", column " ++ show c
 
--- | What windows of a minimum distance bear; and cells that they do not, if these are few.
+-- | How many missing or wrong cells a minimum distance tolerates; and cells whose loss it does not,
+-- if these are few.
 correctable :: Natural -> [Position] -> String
 correctable d cells =
   ": forgives up to "

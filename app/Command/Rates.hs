@@ -118,8 +118,8 @@ run options choice
           table profile options (locator Nothing (profilePacking profile) (naturally array) mask)
     either (unusable . profileMessage) id (withProfile profile on)
 
--- | A line to be made: where its patches are read, its size, its exact rates by the damage, and its
--- wrong and missing cells, per cent.
+-- | A line of the table to be made: its trials, the size of its patches, its exact rates by the
+-- damage, and its shares of wrong and missing cells in per cent.
 data Setting k = Setting
   { settingTrials :: TrialSetup k,
     settingSize :: Shape,
@@ -191,14 +191,14 @@ settingsOf options theLocator = do
       setup <- orUnusable setupMessage (trialSetup (locatorArray theLocator) size)
       let exact = exactRates (radius options) theLocator mask
       pure [Setting setup size exact p s | s <- erasures options, p <- errors options]
-    -- A symbol that is guessed is wrong as often; noise alone cannot do worse.
+    -- The share of wrong symbols among guessed ones; noise alone cannot do worse.
     chance = 100 * (1 - 1 / fromIntegral (fieldOrder (arrayItself (locatorArray theLocator))))
     tooWrong =
       "--errors must be a share from 0 to below "
         ++ numberText chance
         ++ " per cent, the share for guessed symbols"
 
--- | Simulate a line, given what to do when some more trials are done.
+-- | Simulate a line, given an action that is told the number of trials done.
 line :: KnownField k => Options -> Setting k -> (Int -> IO ()) -> IO Line
 line options setting tick = do
   counts <- foldM add noTrials (withStrategy (parBuffer 8 rseq) simulated)

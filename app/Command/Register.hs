@@ -63,7 +63,7 @@ command =
               <> help "Where the upper left pixel of B should lie in A, in taxels right and down"
           )
 
--- | How pairs are registered, but for their steps.
+-- | The options of registration, without the step.
 pairingOptions :: Parser ((Double, Double) -> Pairing)
 pairingOptions =
   (\search method confidence step -> Pairing step search method confidence)
@@ -139,7 +139,8 @@ answered known frame pairing made (PairRequest fileA fileB step) = do
       (registerPair tables (pairing step) a b)
   pure (match, (size, tables))
 
--- | The frame in a file, or of a movie, corrected, given the reading of full contact if it is.
+-- | The frame in a file or of a movie, corrected, given the correction and, perhaps, the reading of
+-- full contact.
 frameIn ::
   (Raster -> Either CalibrationError Raster) -> Maybe Double -> FilePath -> IO Raster
 frameIn calibrated full path = do

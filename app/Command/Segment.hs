@@ -1,4 +1,4 @@
--- | @pra-tactile segment@: a composite to its symbols, as @decode@ sees them before it asks the
+-- | @pra-tactile segment@: the symbols of a composite, as @decode@ sees them before it uses the
 -- array.
 module Command.Segment
   ( command,
@@ -76,7 +76,7 @@ run symbols weights stitching choice form paths = do
           putStr (unlines (inWords segmented))
       pure (if null (featuresSymbols segmented) then NotAnswered else Answered)
 
--- | What was found, a line each.
+-- | The symbols, parts and rejects, one on each line.
 inWords :: Features -> [String]
 inWords segmented
   | null everything = ["nothing is embossed"]

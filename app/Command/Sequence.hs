@@ -1,4 +1,4 @@
--- | @pra-tactile sequence@: terms of the m-sequence, from wherever one likes.
+-- | @pra-tactile sequence@: terms of the m-sequence, from any index on.
 module Command.Sequence
   ( command,
   )

@@ -38,7 +38,7 @@ data Options = Options
     work :: Work,
     -- | of the search
     seed :: Maybe Int,
-    -- | How shapes are shown, if not as text.
+    -- | The form of the output, if not text.
     form :: Maybe (Drawings -> Text),
     output :: Maybe FilePath,
     picture :: Maybe FilePath
@@ -130,7 +130,7 @@ done options = case work options of
       withProgress (unevenly drawings "drawings") $ \bar ->
         followWhile measuring bar $
           designSteps (fromMaybe paperSeed (seed options)) (parametersFor names)
-    -- To prove that no shapes are as far apart may take any time.
+    -- A proof that no shapes are this far apart may take arbitrarily long.
     searched <-
       withProgress (openly sought) $ \bar -> followWhile trying bar measured
     (found, report) <- orUnusable shapeMessage (result searched)
@@ -173,7 +173,7 @@ elementNames q = inConwayField q named
     named :: forall k. KnownField k => Proxy k -> [Text]
     named _ = map (Text.pack . showElement) (elements :: [GF k])
 
--- | What is wrong, a line each, and the distances.
+-- | The distances, and each fault on a line.
 checkText :: String -> Drawings -> Text
 checkText name given =
   Text.unlines (Text.pack (name ++ ": " ++ apart) : map line (faults given))

@@ -112,7 +112,7 @@ examined options target subject = do
               ++ " cannot have them exactly"
           )
     _ -> pure ()
-  -- What stands on the standard output is the file alone.
+  -- If the file goes to the standard output, nothing else does.
   if output options == Just "-"
     then pure ()
     else
@@ -190,7 +190,7 @@ reportText it passed changes done advice grids report =
       | null (reportDefects report) = "not examined everywhere"
       | otherwise = counted (length (reportDefects report)) "defect" "defects"
     turned = turnedFaces changes
-    -- What is not done yet.
+    -- The options that were not given yet.
     added mending =
       concat
         [ ["--tolerance", exactText mm]
@@ -229,7 +229,7 @@ pieceText piece =
     ++ maybe "" (\convex -> if convex then ", convex" else ", not convex") (componentConvex piece)
     ++ maybe "" (\n -> if n == 0 then "" else ", inside " ++ show n) (componentInside piece)
 
--- | A fraction of few digits exactly, another as the nearest machine number.
+-- | A fraction of few digits exactly, a longer one as the nearest machine number.
 volumeText :: Rational -> String
 volumeText volume
   | null (drop 20 exact) = exact

@@ -124,7 +124,7 @@ run symbols stitching choice asked folder output report form = do
               ++ " frames"
           )
 
--- | Refuses what a method does not ask for.
+-- | Refuses options that a method does not use.
 heeded :: StitchMethod -> StitchingChoice -> AlphabetChoice -> IO ()
 heeded method stitching symbols = case method of
   Automatic -> pure ()
@@ -138,7 +138,7 @@ heeded method stitching symbols = case method of
       [given | given@("--frame-noise", _) <- ofRegistration stitching]
   _ -> leaveOut "only the lattice method uses shapes" (alphabetGiven symbols)
 
--- | How a composite is written to a file of that name.
+-- | The encoder of a composite for a file of this name.
 encoderFor :: FilePath -> IO (Raster -> Either ImageError Lazy.ByteString)
 encoderFor output = case map toLower (takeExtension output) of
   ".pgm" -> pure (fmap (Lazy.fromStrict . encodePgm Binary) . pgmFromIntensity 255)

@@ -51,7 +51,7 @@ run q modulusGiven form = do
   printAs form (foundText found) (encodeSynthesis found)
   pure (if synthesisUnique found then Answered else NotAnswered)
 
--- | The shortest register over the field of this order; 'Left' says which symbol is none.
+-- | The shortest register over the field of this order; 'Left' names the first invalid symbol.
 search ::
   forall k. KnownField k => Proxy k -> Natural -> [String] -> Either String SynthesisReport
 search k q symbols = do
@@ -76,7 +76,7 @@ search k q symbols = do
     codeOf = fromIntegral . toCode :: GF k -> Natural
     primitivity h checked = case checked of
       Right _ -> Just True
-      -- Beyond what is factored, a polynomial with a factor is not primitive all the same.
+      -- If q^n - 1 is not factored, a reducible polynomial is still known not to be primitive.
       Left (OrderNotFactored _) -> if isIrreducible h then Nothing else Just False
       Left _ -> Just False
 

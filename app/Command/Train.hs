@@ -214,7 +214,7 @@ demandFor options classes = case how options of
   ByPaper training ->
     trainingDemand standardConditions training (middleOf options) classes
 
--- | How sure a network is, found on presses.
+-- | The calibration of a network, found on presses.
 calibratedWith :: Alphabet -> Network -> Int -> IO Calibration
 calibratedWith alphabet network seed' = do
   found <-
@@ -232,7 +232,8 @@ regimenName options = named ++ (if noise options then "" else "-without-noise")
       AsShipped -> "shipped"
       ByPaper training -> trainingName training
 
--- | The network, and its stages, each with its number: rounds, where it is trained as shipped.
+-- | The trained network, and its stages with their numbers. The shipped regimen has a stage for
+-- each round.
 trainedAs :: How -> Alphabet -> Options -> IO (Network, [(Int, Trace)])
 trainedAs AsShipped alphabet options = do
   network <-
@@ -240,7 +241,7 @@ trainedAs AsShipped alphabet options = do
       =<< withProgress
         (evenly (demandEpochs (demandFor options classes)) "epochs")
         (`follow` summed epochsIn training)
-  -- Each round is a stage of its own, for its batch is.
+  -- Each round has its own batch, so it is a stage of its own.
   pure (network, zip [1 ..] (map snd (roundsOf training)))
   where
     epochsIn step = if step == EpochDone then 1 else 0

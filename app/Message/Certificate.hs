@@ -1,4 +1,4 @@
--- | What is wrong with certificates, in words.
+-- | Messages about certificates.
 module Message.Certificate
   ( certificateMessage,
     faultMessage,
@@ -34,7 +34,7 @@ certificateMessage e = case e of
       ++ show p
       ++ " divides q^n - 1, and its primality was not proved in a way that a certificate can state"
 
--- | What is wrong with a certificate.
+-- | The message about a flaw of a certificate.
 faultMessage :: Fault -> String
 faultMessage fault = case fault of
   OrderNotOfModulus q ->

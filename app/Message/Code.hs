@@ -1,4 +1,4 @@
--- | The errors of fields, polynomials, arrays and windows in words.
+-- | Messages about fields, polynomials, arrays and windows.
 module Message.Code
   ( fieldMessage,
     polynomialMessage,
@@ -81,7 +81,7 @@ factorMessage e = case e of
       ++ numeral n
       ++ " - 1 are needed, but numbers above 2^1024 are not factored"
 
--- | A number in digits, or how many it has if these would fill the line.
+-- | A number in digits, or the number of its digits if they would fill a line.
 numeral :: Natural -> String
 numeral n
   | length digits <= 80 = digits

@@ -1,4 +1,4 @@
--- | Why nothing is embossed, in words.
+-- | Messages about embossing.
 module Message.Emboss
   ( embossMessage,
     misshapenMessage,
@@ -85,7 +85,7 @@ noNetMessage object why =
     NoneFound -> "no net was found, and there may be one"
     SeveralPieces -> "it is of several pieces, which cannot be unfolded together"
 
--- | That a face has no room on a page of this size.
+-- | The message that a face has no room on a page of this size.
 pageMessage :: ObjectName -> (Double, Double) -> FaceName -> String
 pageMessage object (wide, high) face =
   "the face " ++ visible (faceText face) ++ " of the " ++ visible (objectText object)

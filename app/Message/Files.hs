@@ -1,4 +1,4 @@
--- | What is wrong with files and folders, in words.
+-- | Messages about files and folders.
 module Message.Files
   ( ManifestPresence (..),
     filesMessage,
@@ -53,7 +53,7 @@ filesMessage e = case e of
   where
     header = intercalate "," (map Text.unpack manifestHeader)
 
--- | Of a folder of frames, or of a whole image.
+-- | The message about a folder of frames, or a whole image.
 sourceMessage :: FilePath -> SourceError -> String
 sourceMessage folder e = case e of
   ImageElsewhere name ->
@@ -81,13 +81,13 @@ sourceMessage folder e = case e of
   where
     by w h = show w ++ " x " ++ show h
 
--- | Of a movie.
+-- | The message about a movie.
 movieMessage :: FilePath -> SourceError -> String
 movieMessage file e = case e of
   ImageRefused _ why -> fileMessage file why
   _ -> sourceMessage file e
 
--- | Of what is decoded, a folder of frames or an image.
+-- | The message about a source of @decode@, a folder of frames or an image.
 decodeMessage :: FilePath -> DecodeError -> String
 decodeMessage path e = case e of
   ArrayRefused why -> profileMessage why
@@ -99,14 +99,14 @@ decodeMessage path e = case e of
   FileRefused why -> fileMessage (if path == "-" then "the standard input" else path) why
   FramesRefused why -> path ++ ": " ++ stitchMessage why
 
--- | Of an image.
+-- | The message about an image.
 fileMessage :: FilePath -> ImageError -> String
 fileMessage file why = file ++ ": " ++ imageMessage why
 
 -- | Whether a folder has a manifest.
 data ManifestPresence = WithManifest | WithoutManifest
 
--- | Of images in a folder, this many, which have the size of a frame but stand in no manifest.
+-- | The warning about n images in a folder that have the size of a frame but are in no manifest.
 loneFramesMessage :: FilePath -> ManifestPresence -> Int -> String
 loneFramesMessage folder manifest count =
   ( case manifest of

@@ -1,4 +1,4 @@
--- | What is wrong with JSON and census files, in words.
+-- | Messages about JSON and census files.
 module Message.Format
   ( formatMessage,
     jsonMessage,
@@ -20,7 +20,8 @@ import PraTactile.Format.Json.Strict (deepest, longestNumber)
 import PraTactile.PlainText
 import Visible
 
--- | Of a file, and what it should be; the place is named as in @profile.shape[1]@.
+-- | The message about a file, given a description of the wanted file. A place in it is named as in
+-- @profile.shape[1]@.
 formatMessage :: FilePath -> String -> FormatError -> String
 formatMessage file wanted e = case e of
   CensusFileRefused why -> censusFileMessage file why
@@ -30,7 +31,7 @@ formatMessage file wanted e = case e of
   where
     notWanted why = file ++ " is not " ++ wanted ++ ": " ++ why
 
--- | Of JSON, as a clause.
+-- | The message about JSON, as a clause.
 jsonMessage :: JsonError -> String
 jsonMessage e = case e of
   NoText -> "it is empty"
@@ -41,11 +42,11 @@ jsonMessage e = case e of
   NotJson -> "it is not JSON"
   RepeatedKey name -> "the key " ++ quoted (Text.unpack name) ++ " is given twice"
 
--- | What a text of another encoding is, after its subject.
+-- | The predicate about a text in another encoding, which follows its subject.
 encodingMessage :: OtherEncoding -> String
 encodingMessage encoding = " is " ++ encodingName encoding ++ "; save it as UTF-8"
 
--- | What bytes are that should be a text, after their subject.
+-- | The predicate about bytes that are no UTF-8 text, which follows their subject.
 notUtf8Message :: NotUtf8Text -> String
 notUtf8Message why = case why of
   InEncoding encoding -> encodingMessage encoding
@@ -59,7 +60,7 @@ placeText place = case place of
     step (Key key) = '.' : visible (Key.toString key)
     step (Index i) = "[" ++ show i ++ "]"
 
--- | What a number may be that has this name.
+-- | The statement of the range of a number with this name.
 rangeText :: String -> (Double, Double) -> String
 rangeText name (least, most) = name ++ " is from " ++ number least ++ " to " ++ number most
   where

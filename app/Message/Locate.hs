@@ -1,4 +1,4 @@
--- | The errors of locating in words.
+-- | Messages about locating.
 module Message.Locate
   ( locateMessage,
     locatorMessage,

@@ -1,4 +1,4 @@
--- | The errors of objects, placement, relief and store in words.
+-- | Messages about objects, placements, relief and databases.
 module Message.Objects
   ( objectMessage,
     placementMessage,
@@ -49,7 +49,7 @@ import PraTactile.SymbolImages (ImagesError (..))
 import Text.Printf (printf)
 import Visible (quoted, visible)
 
--- | What is wrong with an object, where, and by how much.
+-- | The message about a defect of an object: what, where, and by how much.
 objectMessage :: Defect -> String
 objectMessage (Defect kind faces vertices measure) = case kind of
   NoFaces -> "the object has no faces"
@@ -128,7 +128,7 @@ experimentMessage larger e = case e of
   PressesRefused why -> probeMessage why
   BendRefused least -> bendMessage (larger * least)
 
--- | What the radius of a cylinder must exceed, millimetres.
+-- | The message about a bend that is too sharp, given the least radius in millimetres.
 bendMessage :: Double -> String
 bendMessage least =
   "--bend is a radius of more than " ++ hundredths least

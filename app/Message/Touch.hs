@@ -1,4 +1,4 @@
--- | The touch wing's errors in words.
+-- | Messages about images, frames, sensors, shapes and networks.
 module Message.Touch
   ( imageMessage,
     manifestMessage,
@@ -108,7 +108,7 @@ imageMessage e = case e of
     by (w, h) = show w ++ " x " ++ show h
     at (x, y) = show x ++ "," ++ show y
 
--- | What a file that begins so is, if that is known.
+-- | The format of a file that begins with these bytes, in words, if it is known.
 formatText :: ByteString -> String
 formatText start
   | Just name <- formatName start = ": it is " ++ name
@@ -151,7 +151,7 @@ manifestMessage e = case e of
         all isDigit (dropWhile (`elem` "+- ") whole) && all isDigit fraction
       _ -> False
 
--- | Of a movie's poses.
+-- | The message about a movie's poses.
 posesMessage :: ManifestError -> String
 posesMessage e = case e of
   EmptyManifest -> "there are no poses"
@@ -226,7 +226,7 @@ stitchMessage e = case e of
       | side < 1e9 = show (ceiling side :: Integer)
       | otherwise = printf "%.1e" side
 
--- | That frames contradict each other, and what would mend it.
+-- | The message that frames contradict each other, with the options that would mend it.
 contradictionMessage :: Contradiction -> String
 contradictionMessage contradiction = case contradiction of
   AgreeingAlong axes ->

@@ -1,8 +1,7 @@
 {-# LANGUAGE OverloadedStrings #-}
 
--- | How frames were put together, as a picture: the composite, where each frame should have been
--- and where it was found, which frames hang together, and what there is to say of those that do
--- not.
+-- | The stitching of frames as a picture: the composite, where each frame should have been and
+-- where it was found, the groups of overlapping frames, and remarks.
 module Picture.Assembly
   ( assemblyDrawing,
     assemblySvg,

@@ -1,6 +1,6 @@
 {-# LANGUAGE OverloadedStrings #-}
 
--- | The left side of the picture of a recognition: what was felt, and what was made of it.
+-- | The left side of the picture of a recognition: the composite and how it was read.
 module Picture.Composite
   ( compositePanel,
 

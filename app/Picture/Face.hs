@@ -1,6 +1,6 @@
 {-# LANGUAGE OverloadedStrings #-}
 
--- | The right side of the picture of a recognition: where on the object that is.
+-- | The right side of the picture of a recognition: the place on the object.
 module Picture.Face
   ( FaceView (..),
     facePanel,

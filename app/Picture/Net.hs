@@ -73,7 +73,7 @@ pagesSvg (wide, high) title raised net = map page . numbered <$> partsFor room n
         feet = foot (partMeanings parts)
         below = extentOf feet
 
--- | Units a millimetre: as large on paper as the words of other pictures are.
+-- | Units for a millimetre; words are as large on paper as in the other pictures.
 perMillimetre :: Double
 perMillimetre = 4
 

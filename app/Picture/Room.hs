@@ -1,4 +1,4 @@
--- | Where words have room on a polygon.
+-- | Room for words on a polygon.
 module Picture.Room
   ( Place (..),
     roomOn,

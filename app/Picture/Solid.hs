@@ -1,7 +1,7 @@
 {-# LANGUAGE OverloadedStrings #-}
 
--- | A solid as it is seen from somewhere: hidden parts hidden, with its vertices' names, and with
--- the symbols on its faces where those are given.
+-- | A solid as it is seen from a direction: without its hidden parts, with its vertices' names and,
+-- if they are given, the symbols on its faces.
 module Picture.Solid
   ( solidSvg,
     encodedSvg,
