@@ -172,8 +172,8 @@ formatOption =
         mempty
     )
 
--- | Refuses @--format@ if it would change nothing: if all names of files, read and written, end in a
--- known format, and it does not choose the text form of STL or PLY for the written one.
+-- | Refuses @--format@ if it would change nothing: if all names of files, read and written, end in
+-- a known format, and it does not choose the text form of STL or PLY for the written one.
 formatHeeded :: Maybe SolidFormat -> [String] -> Maybe FilePath -> IO ()
 formatHeeded said subjects output =
   unless (any untold subjects || any chosen output) $
