@@ -19,19 +19,19 @@ import PraTactile.Profile (Profile)
 import PraTactile.Recognise.Summary (orientationText)
 import PraTactile.Symmetry
 
--- | What was asked, as far as the words of the answer depend on it.
+-- | The parts of the question on which the wording of the answer depends.
 data Asked = Asked
   { askedSymmetries :: [Symmetry],
-    -- | Whether patches were given with displacements; else it is one patch alone.
+    -- | Whether patches were given with displacements; otherwise there is one patch.
     askedDisplaced :: Bool
   }
 
--- | Whether patches are seen upright, so that there is nothing to say of orientations.
+-- | Whether only the upright orientation is allowed, so that the answer names none.
 upright :: Asked -> Bool
 upright asked = askedSymmetries asked == [identity]
 
--- | The answer as its JSON has it, given the displacements of the patches and the sentences that
--- explain it, if they are wanted.
+-- | The answer as its JSON has it, given the displacements of the patches and, if wanted, the
+-- sentences that explain it.
 reportOf ::
   Profile -> Asked -> [(Integer, Integer)] -> Maybe [String] -> Answer -> AnswerReport
 reportOf profile asked displacements explanation answer = answerReport context answer
@@ -49,7 +49,7 @@ reportOf profile asked displacements explanation answer = answerReport context a
       Refused reason -> reasonMessage reason
       _ -> answerText asked answer
 
--- | The outcome, how many cells were taken to be wrong, and which patches do not belong.
+-- | The outcome, the number of cells taken to be wrong, and the patches that contradict it.
 answerText :: Asked -> Answer -> String
 answerText asked answer =
   intercalate
@@ -85,7 +85,7 @@ outcomeText asked outcome = case outcome of
     candidateText candidate =
       pairText (candidatePosition candidate) ++ " " ++ orientationText (candidateSymmetry candidate)
 
--- | Which of the patches do not belong, and which cells they saw differently.
+-- | The patches that contradict the answer, with the cells in which they differ.
 patchesText :: Asked -> Answer -> [String]
 patchesText asked answer
   | not (askedDisplaced asked) = []

@@ -1,8 +1,10 @@
--- | Choosing the array, alike in every command: @--q --modulus --polynomial --shape --window
--- --state@, or @--profile FILE@, or nothing, which is the canonical profile; and @--folding@.
+-- | The options that choose the array, the same in every command: @--q --modulus --polynomial
+-- --shape --window --state@, or @--profile FILE@, or none, which is the canonical profile; and
+-- @--folding@.
 module ArrayChoice
   ( ArrayChoice,
     arrayChoice,
+    arrayGroup,
     nothingChosen,
     unsaid,
     chosenProfile,
@@ -22,7 +24,7 @@ import Options
 import PraTactile.Array (Folding, Shape (..))
 import PraTactile.Profile
 
--- | What the command line says about the array.
+-- | The options about the array.
 data ArrayChoice = ArrayChoice
   { choiceOrder :: Maybe Natural,
     choiceModulus :: Maybe [Natural],
@@ -35,11 +37,11 @@ data ArrayChoice = ArrayChoice
   }
   deriving stock (Eq, Show)
 
--- | Nothing is said about the array.
+-- | No option about the array is given.
 unsaid :: ArrayChoice
 unsaid = ArrayChoice Nothing Nothing Nothing Nothing Nothing Nothing Nothing Nothing
 
--- | Whether nothing is said about the array.
+-- | Whether no option about the array is given.
 nothingChosen :: ArrayChoice -> Bool
 nothingChosen = (== unsaid)
 
@@ -52,26 +54,35 @@ arrayChoice =
     <*> numbers
       "polynomial"
       "C0,C1,.."
-      "Primitive characteristic polynomial over GF(q) as codes, constant term first, monic"
+      "Primitive characteristic polynomial over GF(q): codes of its coefficients, constant term \
+      \first; monic"
     <*> shape "shape" "Shape of the array"
     <*> shape
       "window"
-      "Shape of the window (default: inferred where the number of rows is q^k1 - 1)"
+      "Shape of the window (default: inferred if the number of rows is q^k1 - 1)"
     <*> numbers
       "state"
       "S0,S1,.."
-      "Initial state of the shift register as codes (default 0,..,0,1)"
+      "Initial state of the shift register, as codes (default: 0,..,0,1)"
     <*> foldingOption
-      "diagonal, on the torus, or row-major, on the twisted torus (default: diagonal)"
+      "How the sequence fills the array: diagonal, on the torus, or row-major, on the twisted \
+      \torus (default: diagonal)"
     <*> optionalFile
       "profile"
       "FILE"
-      "Take the profile from a JSON file, as the command 'profile' prints it"
+      "Take the whole array from a profile, a JSON file as 'profile' prints it"
   where
     numbers name meta = optional . valued numbersReader name meta
     shape name = optional . valued shapeReader name "ROWSxCOLUMNS"
 
--- | The profile chosen; leaves with status 2 and the reason where the choice is impossible.
+-- | The options of 'arrayChoice', as a group of a command's help.
+arrayGroup :: Group
+arrayGroup =
+  Group
+    "The array (default: that of the paper)"
+    (words "q modulus polynomial shape window state folding profile")
+
+-- | The profile chosen; leaves with status 2 and the reason if the choice is impossible.
 chosenProfile :: ArrayChoice -> IO Profile
 chosenProfile choice = case choice of
   ArrayChoice Nothing Nothing Nothing Nothing Nothing Nothing Nothing (Just file) ->
@@ -107,8 +118,8 @@ chosenProfile choice = case choice of
             ++ ["--shape" | Nothing <- [choiceShape choice]]
         )
 
--- | The same for a window that is given otherwise and has this extent: it takes the place of
--- @--window@.
+-- | The profile chosen, with a window of this extent in the place of @--window@; for commands whose
+-- @--mask@ draws the window.
 chosenProfileFor :: Shape -> ArrayChoice -> IO Profile
 chosenProfileFor extent choice = case choice of
   ArrayChoice {choiceWindow = Just _} ->
@@ -116,22 +127,28 @@ chosenProfileFor extent choice = case choice of
   ArrayChoice {choiceShape = Just _} -> chosenProfile choice {choiceWindow = Just extent}
   _ -> (\profile -> profile {profileWindow = extent}) <$> chosenProfile choice
 
--- | q, where nothing else is to be said of the array; 4 where it is not said.
+-- | q for a command that chooses the array itself: 4 unless @--q@ is given. Refuses other options
+-- about the array.
 orderAlone :: ArrayChoice -> IO Natural
 orderAlone choice
   | choice {choiceOrder = Nothing} == unsaid = pure (fromMaybe 4 (choiceOrder choice))
-  | otherwise = misused "--smallest looks for the array; beside it only --q says something of it"
+  | otherwise =
+    misused
+      "--smallest looks for the array; of the array's options, beside it only --q may be given"
 
--- | Beside a file that holds the array itself: q and the window, if they are given, and nothing
--- else.
+-- | q and the window, if they are given, for a command whose file holds the array. Refuses other
+-- options about the array.
 choiceBesideFile :: ArrayChoice -> Either String (Maybe Natural, Maybe Shape)
 choiceBesideFile choice
   | choice {choiceOrder = Nothing, choiceWindow = Nothing} == unsaid =
     Right (choiceOrder choice, choiceWindow choice)
   | otherwise =
-    Left "FILE already holds the array; beside it only --q and --window (or --mask) say more"
+    Left
+      "FILE already holds the array; of the array's options, only --q and --window (or --mask) \
+      \may be given with it"
 
--- | As 'chosenProfile', where only the sequence matters: without a shape, all terms lie in one row.
+-- | The profile chosen, for a command that uses only the sequence: without a shape, all terms lie
+-- in one row.
 chosenSequence :: ArrayChoice -> IO Profile
 chosenSequence choice = case choice of
   ArrayChoice

@@ -1,4 +1,4 @@
--- | What the commands on census files, @census@ and @merge@, have in common.
+-- | Common parts of the commands on census files, @census@ and @merge@.
 module CensusChoice
   ( Damage (..),
     keepWholeSwitch,
@@ -12,7 +12,7 @@ import Json
 import Numeric.Natural (Natural)
 import Options
 
--- | What becomes of a damaged file.
+-- | How a damaged file is treated.
 data Damage
   = -- | It is refused.
     RefusedWhole

@@ -53,8 +53,17 @@ import Data.List (dropWhileEnd, isPrefixOf)
 import Data.Version (showVersion)
 import ExitStatus
 import GHC.IO.Encoding (mkTextEncoding, setFileSystemEncoding)
-import Options.Applicative
-import Options.Applicative.Help (renderHelp)
+import Options
+import Options.Applicative.Help
+  ( Chunk,
+    Doc,
+    isEmpty,
+    renderHelp,
+    stringChunk,
+    vcatChunks,
+    vsepChunks,
+  )
+import qualified Options.Applicative.Help.Core as Help (fullDesc)
 import Paths_pra_tactile (version)
 import PraTactile.Conformance.Version (suiteVersion)
 import System.Environment (getArgs, getProgName)
@@ -64,16 +73,16 @@ import System.Posix.Signals (Handler (Default), installHandler, sigPIPE)
 
 main :: IO ()
 main = do
-  -- Alike under every locale: names are UTF-8, and a byte that is not comes back as it was.
+  -- The same under every locale: names are UTF-8, and any other byte is kept as it is.
   mkTextEncoding "UTF-8//ROUNDTRIP" >>= setFileSystemEncoding
   lenient <- mkTextEncoding "UTF-8//TRANSLIT"
   hSetEncoding stdout lenient
   hSetEncoding stderr lenient
-  -- As cat does, end quietly where nobody reads on.
+  -- If nobody reads the output to its end, end quietly, as cat does.
   _ <- installHandler sigPIPE Default Nothing
   runToExit (getArgs >>= answering)
 
--- | Do what these arguments ask for.
+-- | Run the command that these arguments name.
 answering :: [String] -> IO ExitStatus
 answering arguments = do
   name <- getProgName
@@ -86,23 +95,20 @@ answering arguments = do
 
 -- | How arguments are parsed.
 preferences :: ParserPrefs
-preferences = defaultPrefs
+preferences = helpPreferences
 
--- | The help that was asked for; or 'Left' with what is wrong with the arguments and where to read
--- what is right, on one line. The name is the program's.
+-- | The wanted help; or 'Left' with one line, which says what is wrong with the arguments and names
+-- the help. The first argument is the program's name.
 misunderstood :: String -> ParserFailure ParserHelp -> Either String String
 misunderstood name failure = case execFailure failure name of
-  (_, ExitSuccess, _) -> Right (fst (renderFailure failure name))
+  (explained, ExitSuccess, columns)
+    | isEmpty (helpBody explained) -> Right (renderHelp columns explained)
+    | otherwise -> Right (renderHelp columns explained {helpBody = bodyOf (asked explained)})
   (explained, ExitFailure _, _) ->
-    Left (namingHelp asked (dropWhileEnd (== '.') complaint))
+    Left (namingHelp (asked explained) (dropWhileEnd (== '.') complaint))
     where
-      -- The usage begins with the words of the command.
-      asked =
-        takeWhile
-          (\word -> all (\c -> isLower c || c == '-') word && take 1 word /= "-")
-          (drop 1 (words (text mempty {helpUsage = helpUsage explained})))
       complaint
-        -- What may stand for a command is a list of all of them, by no name.
+        -- The library would list all commands in place of COMMAND.
         | lacksCommand = "name a command"
         | otherwise =
           text
@@ -111,85 +117,107 @@ misunderstood name failure = case execFailure failure name of
                 helpSuggestions = if brief then helpSuggestions explained else mempty
               }
       lacksCommand = "Missing: COMMAND" `isPrefixOf` said
-      -- The words near to a longer one would be sought in a time and a memory that grow with it,
-      -- for nothing.
+      -- Suggestions for a long word would take time and memory that grow with the word.
       brief = null (drop 500 said)
       said = text mempty {helpError = helpError explained}
   where
+    -- The usage begins with the words of the command.
+    asked explained =
+      takeWhile
+        (\word -> all (\c -> isLower c || c == '-') word && take 1 word /= "-")
+        (drop 1 (words (text mempty {helpUsage = helpUsage explained})))
     text = unwords . words . renderHelp 100000
 
 commandLine :: ParserInfo (IO ExitStatus)
 commandLine =
-  info (commands <**> helper <**> versionOption) $
+  info (subparser (metavar "COMMAND" <> ofAll) <**> general) $
     fullDesc
       <> header
-        "pra-tactile - recognise objects by touch from the pseudorandom array embossed on their \
+        "pra-tactile - recognise objects by touch, from the pseudorandom array embossed on their \
         \faces"
+      <> progDesc "Each command has its own help: pra-tactile COMMAND --help"
       <> footer
         "Exit status: 0 answered; 1 well formed, but refused, ambiguous or refuted; 2 bad usage \
         \or bad input."
+  where
+    ofAll = foldMap (foldMap subcommandParser . snd) commands
 
-versionOption :: Parser (a -> a)
-versionOption =
-  infoOption
-    ("pra-tactile " ++ showVersion version ++ ", suite " ++ suiteVersion)
-    (long "version" <> help "Show the version")
+-- | The options that the program has without a command.
+general :: Parser (a -> a)
+general = (flip (.) <$> helper) <*> versionOption
+  where
+    versionOption =
+      infoOption
+        ("pra-tactile " ++ showVersion version ++ ", suite " ++ suiteVersion)
+        (long "version" <> help "Show the version")
 
-commands :: Parser (IO ExitStatus)
+-- | All commands, under the headings that the program's help has them under.
+commands :: [(String, [Subcommand])]
 commands =
-  subparser
-    ( commandGroup "The code:" <> metavar "COMMAND"
-        <> mconcat
-          [ Command.Array.command,
-            Command.Prove.command,
-            Command.Certificate.command,
-            Command.Check.command,
-            Command.Locate.command,
-            Command.Rates.command,
-            Command.Table.command,
-            Command.Profile.command,
-            Command.Sequence.command,
-            Command.Synthesise.command,
-            Command.Advise.command,
-            Command.Field.command,
-            Command.Polynomials.command,
-            Command.Census.command,
-            Command.Merge.command
-          ]
-    )
-    <|> subparser
-      ( commandGroup "Touch:" <> hidden
-          <> mconcat
-            [ Command.Probe.command,
-              Command.Convert.command,
-              Command.Register.command,
-              Command.Stitch.command,
-              Command.Segment.command,
-              Command.Decode.command,
-              Command.Compare.command,
-              Command.Evaluate.command,
-              Command.Sensor.command,
-              Command.Calibrate.command
-            ]
-      )
-    <|> subparser
-      ( commandGroup "Objects and symbols:" <> hidden
-          <> mconcat
-            [ Command.Solid.command,
-              Command.Objects.command,
-              Command.Place.command,
-              Command.Nets.command,
-              Command.Draw.command,
-              Command.Emboss.command,
-              Command.Shapes.command,
-              Command.Train.command,
-              Command.Network.command,
-              Command.Images.command,
-              Command.Classify.command,
-              Command.Experiment.command
-            ]
-      )
-    <|> subparser
-      ( commandGroup "Other implementations:" <> hidden
-          <> mconcat [Command.Conform.command, Command.Serve.command, Command.Vectors.command]
-      )
+  [ ( "Most used",
+      [Command.Decode.command, Command.Locate.command, Command.Conform.command]
+    ),
+    ( "The code",
+      [ Command.Array.command,
+        Command.Prove.command,
+        Command.Certificate.command,
+        Command.Check.command,
+        Command.Rates.command,
+        Command.Table.command,
+        Command.Profile.command,
+        Command.Sequence.command,
+        Command.Synthesise.command,
+        Command.Advise.command,
+        Command.Field.command,
+        Command.Polynomials.command,
+        Command.Census.command,
+        Command.Merge.command
+      ]
+    ),
+    ( "Touch",
+      [ Command.Probe.command,
+        Command.Convert.command,
+        Command.Register.command,
+        Command.Stitch.command,
+        Command.Segment.command,
+        Command.Compare.command,
+        Command.Evaluate.command,
+        Command.Sensor.command,
+        Command.Calibrate.command
+      ]
+    ),
+    ( "Objects and symbols",
+      [ Command.Solid.command,
+        Command.Objects.command,
+        Command.Place.command,
+        Command.Nets.command,
+        Command.Draw.command,
+        Command.Emboss.command,
+        Command.Shapes.command,
+        Command.Train.command,
+        Command.Network.command,
+        Command.Images.command,
+        Command.Classify.command,
+        Command.Experiment.command
+      ]
+    ),
+    ("Other implementations", [Command.Serve.command, Command.Vectors.command])
+  ]
+
+-- | The options of a command by its name, or of the program, as help lists them: for the program,
+-- with a line for each command.
+bodyOf :: [String] -> Chunk Doc
+bodyOf asked = case asked of
+  [_, name]
+    | one : _ <- [one | (_, several) <- commands, one <- several, subcommandName one == name] ->
+      subcommandBody one
+  _ ->
+    vsepChunks $
+      vcatChunks
+        [stringChunk "Available options:", Help.fullDesc preferences (pure () <**> general)] :
+        [ vcatChunks (stringChunk (heading ++ ":") : map (stringChunk . line) several)
+          | (heading, several) <- commands
+        ]
+  where
+    line one = "  " ++ padded (subcommandName one) ++ "  " ++ subcommandBrief one
+    padded name = name ++ replicate (11 - length name) ' '

@@ -18,7 +18,7 @@ import PraTactile.Conformance.Run
 import PraTactile.Conformance.Run.Pattern
 import PraTactile.Conformance.Version
 
--- | A law: what is said of it, and under how many profiles, of how many, it exhausts its domain.
+-- | A law: its description, and under how many of the profiles it exhausts its domain.
 data Listed = Listed
   { listedId :: String,
     listedStage :: Stage,
@@ -29,7 +29,7 @@ data Listed = Listed
     listedProfiles :: Int
   }
 
--- | What was chosen, each once: how a process is spoken to, and the laws.
+-- | The chosen laws, each once, and the checks of how a process is spoken to.
 listOfLaws :: Settings -> Suite about -> [Listed]
 listOfLaws settings suite =
   [ Listed name OnProtocol [] sentence "the protocol" 1 1
@@ -49,7 +49,7 @@ listOfLaws settings suite =
       Cases _ (Every _) _ -> True
       Cases _ (Some _ _) _ -> False
 
--- | A line a law and one for what holds.
+-- | Two lines for each law: its id and what it states.
 listText :: Settings -> Suite about -> String
 listText settings suite = concatMap shown (listOfLaws settings suite)
   where
@@ -65,7 +65,7 @@ listText settings suite = concatMap shown (listOfLaws settings suite)
       | full == 0 = ""
       | otherwise = ", exhaustive under " ++ show full ++ " of " ++ show all' ++ " profiles"
 
--- | The same as JSON.
+-- | The chosen laws as JSON.
 listJson :: Settings -> Suite about -> ByteString
 listJson settings suite =
   encodeSchema "conform-laws/1" $

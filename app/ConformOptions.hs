@@ -1,4 +1,4 @@
--- | The options of @pra-tactile conform@, and what they say of the laws.
+-- | The options of @pra-tactile conform@, and the settings that follow from them.
 module ConformOptions
   ( Options (..),
     timeLimit,
@@ -30,7 +30,7 @@ import PraTactile.Conformance.Version
 import PraTactile.PlainText (lineFeeds, withoutMark)
 import Visible
 
--- | As they are given.
+-- | The options as they are given.
 data Options = Options
   { mode :: Mode,
     stages :: [Stage],
@@ -57,42 +57,55 @@ data Options = Options
 conformOptions :: Parser Options
 conformOptions =
   Options
-    <$> flag InSession OneShot (long "one-shot" <> help "Start a process for each request")
+    <$> flag InSession OneShot (long "one-shot" <> help "Start a new process for each request")
     <*> (concat <$> many (choosing "stage" stagesNamed "stage" "NAME" stageHelp mempty))
     <*> many (patternOption "run" runHelp)
-    <*> many (patternOption "skip" "Leave out the laws whose id fits; may be repeated")
-    <*> switch (long "skip-must-fail" <> help "Try what is skipped all the same: it must fail")
+    <*> many (patternOption "skip" "Leave out the laws whose id matches; may be repeated")
+    <*> switch (long "skip-must-fail" <> help "Try the skipped laws all the same; they must fail")
     <*> optionalFile "known-failures" "FILE" knownHelp
     <*> many (fileOption "profile" "FILE" profileHelp)
-    <*> usually usualSeed intReader "seed" "N" "Seed of every random draw"
-    <*> usually usualCases intReader "cases" "N" "Cases of each law that does not try all there are"
-    <*> usually usualTimeout decimalReader "timeout" "SECONDS" "How long each reply may take"
-    <*> usually usualLimit decimalReader "limit" "SECONDS" "How long all of it may take"
+    <*> usually usualSeed intReader "seed" "N" "Seed of all random draws"
+    <*> usually usualCases intReader "cases" "N" "Cases for each law that does not try all of them"
+    <*> usually usualTimeout decimalReader "timeout" "SECONDS" "Time limit for each reply"
+    <*> usually usualLimit decimalReader "limit" "SECONDS" "Time limit for the whole run"
     <*> switch
       ( long "fail-fast"
           <> help
-            "End at the first law that fails or errs; a few cases of each are tried first under \
-            \all profiles"
+            "End at the first law that fails or errs; first a few cases of each law are tried \
+            \under all profiles"
       )
-    <*> usually usualParallel intReader "parallel" "N" "Processes of COMMAND at once"
-    <*> optional (valued tokenReader "replay" "TOKEN" "Try again the case of a token in a report")
-    <*> switch (long "list" <> help "Print the laws, and run nothing")
+    <*> usually usualParallel intReader "parallel" "N" "Number of processes of COMMAND at once"
+    <*> optional
+      (valued tokenReader "replay" "TOKEN" "Try the case of this token of a report again")
+    <*> switch (long "list" <> help "List the laws, and run nothing")
     <*> jsonSwitch "Print the report as JSON"
-    <*> optionalFile "junit" "FILE" "Write the report as JUnit's XML as well"
-    <*> optionalFile "badge" "FILE" "Write what a badge says of it, as badge services read it"
-    <*> many (strArgument (metavar "COMMAND ARGS..." <> action "command"))
+    <*> optionalFile "junit" "FILE" "Also write the report to this file, as XML of JUnit"
+    <*> optionalFile
+      "badge"
+      "FILE"
+      "Also write a badge's text to this file, as badge services \
+      \read it"
+    <*> many
+      ( strArgument
+          ( metavar "COMMAND ARGS..." <> action "command"
+              <> help "The program to test, and its arguments, after --"
+          )
+      )
     <**> infoOption ("suite " ++ suiteVersion) (long "version" <> help "Show the suite's version")
   where
     stagesNamed =
       [(name, [stage]) | (name, stage) <- allNamed stageName]
         ++ [(name, own) | (name, own@(_ : _ : _)) <- stagesApart]
     stageHelp =
-      "Try only the laws of a stage; may be repeated (default: all stages of the code); touch: \
-      \register, stitch, segment and network"
-    runHelp = "Try only the laws whose id fits, as in 'field/*' or commutes; may be repeated"
-    knownHelp = "Laws that are known to fail: an id or a pattern a line, # before a comment"
+      "Try only the laws of this stage; may be repeated (default: all stages of the code). touch \
+      \is register, stitch, segment and network"
+    runHelp = "Try only the laws whose id matches, as in 'field/*' or commutes; may be repeated"
+    knownHelp =
+      "A file of laws that are known to fail: an id or a pattern on each line, # before \
+      \a comment"
     profileHelp =
-      "A profile as 'pra-tactile profile' prints it, in place of the suite's own; may be repeated"
+      "A profile as 'pra-tactile profile' prints it, in place of the suite's profiles; may be \
+      \repeated"
     patternOption name text = strOption (long name <> metavar "PATTERN" <> help text)
     tokenReader = eitherReader $ \text ->
       maybe (Left (visible (take 40 text) ++ " is no token of a report")) Right (readToken text)
@@ -106,28 +119,28 @@ usualTimeout, usualLimit :: Double
 usualTimeout = 5
 usualLimit = 300
 
--- | The seed of every random draw.
+-- | The seed of all random draws.
 seed :: Options -> Int
 seed = fromMaybe usualSeed . seedGiven
 
--- | Cases of each law that does not try all there are.
+-- | The number of cases for each law that does not try all of them.
 cases :: Options -> Int
 cases = fromMaybe usualCases . casesGiven
 
--- | For each reply, seconds.
+-- | The time limit for each reply, in seconds.
 timeLimit :: Options -> Double
 timeLimit = fromMaybe usualTimeout . timeGiven
 
--- | For all, seconds.
+-- | The time limit for the whole run, in seconds.
 wholeLimit :: Options -> Double
 wholeLimit = fromMaybe usualLimit . limitGiven
 
--- | Processes at once.
+-- | The number of processes at once.
 parallelism :: Options -> Int
 parallelism = fromMaybe usualParallel . parallelGiven
 
--- | Refuses options that would change nothing: where the laws are listed and none is tried, and
--- where one case is tried again.
+-- | Refuses options that would change nothing: beside @--list@, which tries no law, and @--replay@,
+-- which tries one case.
 heeded :: Options -> IO ()
 heeded options = do
   when (listed options) . leaveOut "--list tries no law" $
@@ -152,7 +165,7 @@ heeded options = do
         ("--parallel", isJust (parallelGiven options))
       ]
 
--- | Which laws are tried and how; leaves with status 2 where an option says what cannot be.
+-- | Which laws are tried and how; leaves with status 2 if an option has an impossible value.
 settingsOf :: Suite about -> Options -> IO Settings
 settingsOf suite options = do
   heeded options
@@ -186,10 +199,10 @@ settingsOf suite options = do
     mebibyte = 1024 * 1024
     complaints =
       take 1 . concat $
-        [ ["--cases is a number from 1 up" | cases options < 1],
-          ["--parallel is a number from 1 to 64" | parallelism options `notElem` [1 .. 64]],
-          ["--timeout is a number of seconds above 0" | timeLimit options <= 0],
-          ["--limit is a number of seconds above 0" | wholeLimit options <= 0],
+        [ ["--cases must be a number, 1 or more" | cases options < 1],
+          ["--parallel must be a number from 1 to 64" | parallelism options `notElem` [1 .. 64]],
+          ["--timeout must be a number of seconds above 0" | timeLimit options <= 0],
+          ["--limit must be a number of seconds above 0" | wholeLimit options <= 0],
           ["--skip-must-fail needs --skip" | skipMustFail options && null (skipPatterns options)]
         ]
 

@@ -1,10 +1,10 @@
--- | How many there are of something, in words.
+-- | A count in words.
 module Counted
   ( counted,
   )
 where
 
--- | A number, and what it is of: one, or several.
+-- | A number with its noun, in the singular or the plural.
 --
 -- >>> (counted 1 "edge" "edges", counted 0 "edge" "edges")
 -- ("1 edge","0 edges")

@@ -1,7 +1,7 @@
 {-# LANGUAGE BangPatterns #-}
 {-# LANGUAGE OverloadedStrings #-}
 
--- | Reading an array that anybody made: a CSV file of symbol codes, one row a line.
+-- | Reading an array of any origin: a CSV file of symbol codes, one row a line.
 --
 -- Not by cassava, which reads the manifests: it takes 3.9 s and 1.2 GB for 1024 x 4096 cells, and
 -- this 0.1 s and 60 MB, the proof after it included (GHC 9.0.2).
@@ -28,12 +28,12 @@ import Numeric.Natural (Natural)
 import PraTactile.Grid
 import PraTactile.PlainText (plainText)
 
--- | The array in a file, over an alphabet of this size, or else of the largest code and one more;
--- leaves with status 2 and the reason where there is none.
+-- | The array in a file, over an alphabet of this size, or else of the largest code plus one;
+-- leaves with status 2 and the reason if the file holds no array.
 readGrid :: Maybe Natural -> FilePath -> IO Grid
 readGrid q file = readBytes file >>= orUnusable ((file ++ ": ") ++) . parseGrid q
 
--- | Codes 0 ... 255 parted by commas or semicolons, rows by ends of line; spaces and empty lines
+-- | Codes 0 ... 255 separated by commas or semicolons, rows by ends of line; spaces and empty lines
 -- at the end do not matter.
 parseGrid :: Maybe Natural -> ByteString -> Either String Grid
 parseGrid q bytes = do

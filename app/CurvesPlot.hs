@@ -16,7 +16,7 @@ import Graphics.Svg
 import RatesPlot (plotSvg, titleSize)
 import RatesPlot.Panel (number, numbers, text)
 
--- | What is drawn.
+-- | The curves of a plot.
 data Curves = Curves
   { curvesTitle :: String,
     curvesAcross :: Scale,
@@ -27,8 +27,8 @@ data Curves = Curves
     curvesLegend :: [(Int, String)]
   }
 
--- | What is told along an axis, and the values at which a line stands, the least and the greatest
--- among them, with their words.
+-- | An axis: its title, and the values at which a grid line stands, with their labels. The least
+-- and the greatest value are the ends of the axis.
 data Scale = Scale
   { scaleSays :: String,
     scaleMarks :: [(Double, String)]

@@ -1,5 +1,5 @@
--- | What @objects@ does to a database of the mapping: it adds objects, replaces and removes them,
--- exports the placement and checks all.
+-- | Changes of a database by @objects@: objects are added, replaced and removed, the placement is
+-- exported, and the whole database is verified.
 module DatabaseChange
   ( Task (..),
     taskOption,
@@ -38,7 +38,7 @@ import PraTactile.Profile
 import PraTactile.Store
 import Visible (objectCalled, visible, visibleName)
 
--- | What is done to a database.
+-- | A task on a database.
 data Task
   = Add
   | Replace
@@ -47,21 +47,33 @@ data Task
   | Check
   deriving stock (Eq)
 
--- | One of the options.
+-- | The option that names a task.
 taskOption :: Parser Task
 taskOption =
   flag'
     Add
     ( long "add"
         <> help
-          "Add objects to the database: their faces are laid as --placement says, else on free \
-          \cells"
+          "Add objects to the database; their faces are laid as --placement says, or on free cells"
     )
-    <|> flag' Replace (long "replace" <> help "Put objects in the place of those of their names")
-    <|> flag' Remove (long "remove" <> help "Take the objects of these names from the database")
+    <|> flag'
+      Replace
+      ( long "replace"
+          <> help
+            "Replace objects of the database by those of the \
+            \same names"
+      )
+    <|> flag' Remove (long "remove" <> help "Remove the objects of these names from the database")
     <|> Export
-    <$> fileOption "export" "FILE" "Write the database's placement to a file, as 'place' writes it"
-    <|> flag' Check (long "check" <> help "Read all of the database and prove its placement")
+    <$> fileOption
+      "export"
+      "FILE"
+      "Write the placement that the database holds to this file, as \
+      \'place' writes it"
+    <|> orAliasFlag
+      "check"
+      Check
+      (flag' Check (long "verify" <> help "Read the whole database and prove its placement"))
 
 -- | The option's name.
 taskName :: Task -> String
@@ -70,16 +82,15 @@ taskName what = case what of
   Replace -> "--replace"
   Remove -> "--remove"
   Export _ -> "--export"
-  Check -> "--check"
+  Check -> "--verify"
 
--- | Whether objects are named for it.
+-- | Whether a task takes objects as arguments.
 takesOperands :: Task -> Bool
 takesOperands what = what `elem` [Add, Replace, Remove]
 
--- | Do it to the database of this name, with what the command line names, read as it says; objects
--- that are added lie as the placement in a file says, if one is given. Status 1 where objects
--- cannot be laid; the
--- database is then as it was.
+-- | Do a task on the database of this name, with the objects that the command line names. Added
+-- objects lie as the placement in a file says, if one is given. The status is 1 if objects cannot
+-- be laid; the database is then unchanged.
 changed ::
   ArrayChoice ->
   FilePath ->
@@ -214,7 +225,7 @@ addingAs layout new place =
   where
     isNew laid = faceObject (laidFace laid) `elem` map solidName new
 
--- | That an object lay elsewhere before, with where that was.
+-- | The notice that an object lay elsewhere before, with the former place.
 elsewhereText :: ObjectName -> [FormerFace] -> String
 elsewhereText name there =
   visible (objectText name) ++ " lay elsewhere before: "
@@ -226,7 +237,7 @@ elsewhereText name there =
     place (FormerFace face (Position r c) _) =
       visible face ++ " from row " ++ show r ++ ", column " ++ show c
 
--- | What became of a database, in one line.
+-- | The result of a change, as one line of JSON.
 encodeDatabase :: String -> Maybe String -> Series -> ByteString
 encodeDatabase outcome reason keys =
   encodeSchema "objects-database/1" $

@@ -1,7 +1,7 @@
 {-# LANGUAGE OverloadedStrings #-}
 
--- | Drawings as data: marks that know where they lie, so that one drawing is put beside or below
--- another by what each really takes up. Units are those of the picture, x to the right and y down.
+-- | Drawings as data: marks with their bounding boxes, so that drawings are put side by side
+-- without overlap. Units are those of the picture, x to the right and y down.
 module Drawing
   ( -- * Extents
     Extent (..),
@@ -54,7 +54,7 @@ data Extent = Extent
   }
   deriving stock (Eq, Show)
 
--- | The smallest rectangle that holds both.
+-- | The smallest rectangle that contains both.
 instance Semigroup Extent where
   Extent l t r b <> Extent l' t' r' b' = Extent (min l l') (min t t') (max r r') (max b b')
 
@@ -66,14 +66,14 @@ width, height :: Extent -> Double
 width e = rightEdge e - leftEdge e
 height e = bottomEdge e - topEdge e
 
--- | Something drawn, with the word that says what it is: its class in the SVG.
+-- | A mark with its class in the SVG, a word that says what it is.
 data Mark = Mark
   { markClass :: !Text,
     markForm :: !Form
   }
   deriving stock (Eq, Show)
 
--- | What is drawn.
+-- | A shape or a text to draw.
 data Form
   = Rectangle !Paint !Extent
   | -- | rectangles as one path
@@ -125,12 +125,12 @@ data Font = Font
 data Weight = Regular | Bold
   deriving stock (Eq, Show)
 
--- | Which end of a line of text its point is.
+-- | Which end of a line of text lies at its point.
 data Anchor = FromLeft | FromMiddle | FromRight
   deriving stock (Eq, Show)
 
--- | What a mark takes up, half its stroke included. Text is taken to be as wide as in the widest of
--- the usual sans-serif fonts. 'Nothing' for no patches and no points.
+-- | The bounding box of a mark, with half its stroke. Text has the width that it has in the widest
+-- of the usual sans-serif fonts. 'Nothing' for a mark without patches or points.
 markExtent :: Mark -> Maybe Extent
 markExtent (Mark _ form) = case form of
   Rectangle paint e -> Just (stroked paint e)
@@ -154,7 +154,7 @@ hull = fmap sconcat . NonEmpty.nonEmpty
 -- | Marks, the later ones over the earlier ones.
 type Drawing = [Mark]
 
--- | What a drawing takes up; a point for an empty one.
+-- | The bounding box of a drawing; a point for an empty one.
 extentOf :: Drawing -> Extent
 extentOf drawing = fromMaybe (Extent 0 0 0 0) (hull (mapMaybe markExtent drawing))
 
@@ -246,7 +246,7 @@ wrapped room font = go . words
         fill (line ++ " " ++ next) rest
     fill line rest = (line, rest)
 
--- | A number to a hundredth, without zeros that say nothing.
+-- | A number to a hundredth, without trailing zeros.
 hundredths :: Double -> String
 hundredths v = case (whole, reverse (dropWhile (== '.') (dropWhile (== '0') (reverse fraction)))) of
   ("-0", "") -> "0"

@@ -186,8 +186,8 @@ drawnFiles alphabet array layout asked' = do
                 ++ ".svg"
         ofVertex = concatMap (escapedIn ".-") . fileName . vertexText
 
--- | What is told of a drawing: its file, the object and perhaps the face, how much larger than the
--- paper's its symbols are, and the symbols.
+-- | The report of a drawing, given its file, the object, perhaps the face, the size of its symbols
+-- relative to the paper's, and the symbols.
 drawing :: FilePath -> ObjectName -> Maybe FaceName -> Rational -> [Stamp] -> MadeFile
 drawing file object face scale stamps =
   MadeFile

@@ -1,4 +1,4 @@
--- | How a command ends: the exit statuses, which scripts rely on, and the one form of a complaint.
+-- | How a command ends: the exit statuses, on which scripts rely, and the form of complaints.
 module ExitStatus
   ( -- * Exit statuses
     ExitStatus (..),
@@ -21,7 +21,8 @@ where
 
 import Control.Exception
 import Control.Monad (void)
-import Data.Char (toLower)
+import Data.Char (isAlphaNum, toLower)
+import Data.List (stripPrefix)
 import GHC.IO.Exception (IOException (..))
 import System.Environment (getArgs, getProgName)
 import System.Exit (ExitCode (..), exitWith)
@@ -45,14 +46,14 @@ leave status = exitWith $ case status of
   NotAnswered -> ExitFailure 1
   Unusable -> ExitFailure 2
 
--- | What is wrong with arguments, each of which could be read.
+-- | A complaint about arguments, each of which could be read.
 newtype Misused = Misused String
   deriving stock (Show)
 
 instance Exception Misused
 
--- | Refuse options, by their names, that were given though they would change nothing; the text says
--- why they would not. No option is ignored without a word.
+-- | Refuse given options, by their names, that would change nothing; the text says why. No option
+-- is silently ignored.
 leaveOut :: String -> [(String, Bool)] -> IO ()
 leaveOut why options = case [name | (name, True) <- options] of
   [] -> pure ()
@@ -68,12 +69,26 @@ leaveOut why options = case [name | (name, True) <- options] of
 misused :: String -> IO a
 misused = throwIO . Misused
 
--- | A command by its name, in which arguments may be 'misused'.
-helpNamed :: String -> IO a -> IO a
-helpNamed name run =
+-- | A command by its name, in which arguments may be 'misused'; given which of its options have an
+-- older name. A complaint names an option as it was given.
+helpNamed :: String -> [(String, String)] -> IO a -> IO a
+helpNamed name older run =
   run `catch` \(Misused complaint) -> do
     program <- getProgName
-    unusable (namingHelp [program, name] complaint)
+    arguments <- getArgs
+    unusable (namingHelp [program, name] (inNamesGiven older arguments complaint))
+
+-- | A complaint in which an option has its older name, if that is among the arguments.
+inNamesGiven :: [(String, String)] -> [String] -> String -> String
+inNamesGiven older arguments complaint = foldl renamed complaint given
+  where
+    given = [names | names@(_, old) <- older, any ((== old) . takeWhile (/= '=')) arguments]
+    renamed text names@(new, old) = case text of
+      [] -> []
+      c : others -> case stripPrefix new text of
+        Just rest | not (any continues (take 1 rest)) -> old ++ renamed rest names
+        _ -> c : renamed others names
+    continues c = isAlphaNum c || c == '-'
 
 -- | What is wrong with arguments, with the words of the command whose help says what is right.
 namingHelp :: [String] -> String -> String
@@ -87,8 +102,8 @@ unusable message = warn message >> leave Unusable
 orUnusable :: (e -> String) -> Either e a -> IO a
 orUnusable inWords = either (unusable . inWords) pure
 
--- | A line on the standard error, after all that was said before on the standard output, without
--- the passwords of the command line. Where that cannot be written, nothing is left to say it to.
+-- | A line on the standard error, after everything on the standard output, without the passwords of
+-- the command line. A failure to write it is ignored.
 warn :: String -> IO ()
 warn message = do
   arguments <- getArgs
@@ -104,8 +119,8 @@ systemReason problem = case ioe_description problem of
   [] -> show (ioe_type problem)
   first : others -> toLower first : others
 
--- | Run a command to its end and leave with its status; with status 2 and a line where its output
--- cannot be written to the end, or where something happens that should not.
+-- | Run a command to its end and leave with its status; with status 2 and a line if its output
+-- cannot be written, or an unexpected exception occurs.
 runToExit :: IO ExitStatus -> IO a
 runToExit command =
   (command <* hFlush stdout >>= leave) `catch` \problem -> case fromException problem of

@@ -1,4 +1,4 @@
--- | Why an answer is what it is, in sentences: the cells used, their equations, the distance to the
+-- | The explanation of an answer in sentences: the cells used, their equations, the distance to the
 -- next candidate.
 module Explain
   ( explainAnswer,
@@ -17,8 +17,8 @@ import PraTactile.Symmetry
 import PraTactile.Window
 import Text.Printf (printf)
 
--- | What the answer rests on, given the array and its window, the displacements of the patches, the
--- observed symbols of all of them, and the doubt that is tolerated.
+-- | The reasons for an answer, line by line, given the array and its window, the displacements of
+-- the patches, the observed symbols of all of them, and the tolerated doubt.
 explainAnswer ::
   KnownField k =>
   PseudorandomArray k ->
@@ -119,7 +119,7 @@ equationText e =
     terms = [term a i | (a, i) <- zip (equationFactors e) [0 ..], a /= zero]
     term a i = (if a == one then "" else showElement a ++ " ") ++ unknown i
 
--- | What this many unknowns are.
+-- | How many positions the equations leave, in words.
 solutionText :: KnownField k => Int -> Solutions k -> String
 solutionText n solutions = case solutions of
   Inconsistent -> "These contradict each other: at least one cell is wrong."
@@ -244,7 +244,7 @@ explainWindows outcome = case outcome of
     ["Complete windows that say so stand at the offsets " ++ unwords (map place windows) ++ "."]
   _ -> []
 
--- | Which patches do not belong, and what of them is wrong.
+-- | The patches that contradict the answer, with their wrong cells.
 explainPatches :: [(Integer, Integer)] -> Answer -> [String]
 explainPatches displacements answer =
   [ "Patch "

@@ -1,7 +1,7 @@
 {-# LANGUAGE RankNTypes #-}
 
--- | Choosing a field, alike in the commands about fields: @--q@ and, if it is not to be the default
--- one, @--modulus@.
+-- | The options that choose a field, the same in all commands about fields: @--q@, and @--modulus@
+-- for another than the default modulus.
 module FieldChoice
   ( FieldChoice,
     fieldChoice,
@@ -27,13 +27,13 @@ data FieldChoice = FieldChoice Natural (Maybe [Natural])
 fieldChoice :: Parser FieldChoice
 fieldChoice = FieldChoice <$> orderOption <*> modulusOption
 
--- | The same in the field of an order by its default modulus, for any result.
+-- | A computation in the field of this order with its default modulus, for any result.
 inConwayField :: Natural -> (forall k. KnownField k => Proxy k -> a) -> IO a
 inConwayField q use = do
   (p, conway) <- orUnusable fieldMessage (conwayModulus q)
   orUnusable fieldMessage (withField p conway use)
 
--- | Go on in the chosen field; leaves with status 2 and the reason where there is none.
+-- | Continue in the chosen field; leaves with status 2 and the reason if there is none.
 withChosenField ::
   FieldChoice -> (forall k. KnownField k => Proxy k -> IO ExitStatus) -> IO ExitStatus
 withChosenField (FieldChoice q given) use = do

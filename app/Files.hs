@@ -26,7 +26,7 @@ readBytesUpTo limit file = readUpTo limit file >>= orUnusable filesMessage
 largestWork :: Int
 largestWork = 64 * largestInput
 
--- | What is in a file that is to be continued: nothing where there is none, or no regular file.
+-- | The contents of a file that is to be continued; empty if there is none, or no regular file.
 alreadyIn :: FilePath -> IO ByteString
 alreadyIn name =
   targetOf name >>= orUnusable id >>= \target -> case target of

@@ -94,8 +94,8 @@ readAnswerAndTruth one other = do
     claims bytes = (,) <$> decodeClaim bytes <*> decodeClaimedPose bytes
     decoded decoder wanted (file, bytes) = orUnusable (formatMessage file wanted) (decoder bytes)
 
--- | What a file holds: how its bytes are read, how they are decoded, and what a message says that
--- the file should be.
+-- | The value in a file, given the reader of its bytes, their decoder, and the description of the
+-- wanted file for messages.
 readAs ::
   (FilePath -> IO ByteString) ->
   (ByteString -> Either FormatError a) ->

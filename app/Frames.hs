@@ -34,21 +34,22 @@ framesArgument =
     ( pathArgument
         ( metavar "PATH..."
             <> action "file"
-            <> help "Images, folders of frames, or frames; - is an image on the standard input"
+            <> help
+              "Images, folders of frames, or single frames; - is an image on the standard \
+              \input"
         )
     )
 
--- | What these paths are, one of which is a movie where its poses are given.
+-- | The kind of each path; with @--poses@, the only path is a movie.
 chosenSources :: FramesChoice -> [FilePath] -> IO [SourcePath]
 chosenSources choice paths = case (posesFile choice, paths) of
   (Nothing, _) -> sourcePaths paths >>= orUnusable filesMessage
   (Just poses, [movie]) -> pure [MoviePath poses movie]
-  _ -> misused "--poses is of one movie; give its file as the one PATH"
+  _ -> misused "--poses is of one movie; give its file as the only PATH"
 
--- | The composites of sources, given the tables of the symbols that may have been felt, and how
--- much larger than the paper's they are, as 'sourceComposite' makes them. Says so where images of a
--- frame's size are taken for composites, because they stand in no manifest. Leaves with status 2
--- where one cannot be made.
+-- | The composites of sources as 'sourceComposite' makes them, given the tables of the symbols and
+-- their size relative to the paper's. Warns of images of a frame's size that are in no manifest,
+-- and so are taken for composites. Leaves with status 2 if a composite cannot be made.
 loadSources ::
   LatticeTables -> Double -> Preparation -> Stitching -> [SourcePath] -> IO [Composite]
 loadSources tables size known stitching paths = do
@@ -88,7 +89,7 @@ loadFrames choice path = case posesFile choice of
     entries <- readPoses file >>= orUnusable filesMessage
     readMovie (Just entries) path >>= orUnusable filesMessage
 
--- | A folder of frames, or a movie or an image of which nobody says where it was pressed.
+-- | A folder of frames, or a movie or an image without positions.
 loadUnplaced :: FilePath -> IO Folder
 loadUnplaced path = do
   isFolder <- doesDirectoryExist path

@@ -1,9 +1,10 @@
--- | How frames are put together: a taxel pitch and axes other than the manifest's, the sensor's
--- calibration, and what is known of robot and sensor. Pitch and calibration are of whole images,
--- too.
+-- | The options for frames and images: pitch, axes and calibration, which replace or supplement the
+-- manifest's, and what is known of the robot and the sensor. Pitch and calibration also apply to
+-- whole images.
 module FramesChoice
   ( FramesChoice (..),
     framesOptions,
+    framesGroup,
     calibrationOption,
     taxelOption,
     posesOption,
@@ -27,7 +28,7 @@ import PraTactile.Sensor.Manifest (Axes, axesNamed, straight)
 import PraTactile.Source (Preparation (..))
 import SensorChoice (usableTaxel)
 
--- | What was said about the frames.
+-- | The options about frames.
 data FramesChoice = FramesChoice
   { -- | mm
     chosenTaxel :: Maybe Double,
@@ -42,23 +43,23 @@ data FramesChoice = FramesChoice
     calibrationFile :: Maybe FilePath
   }
 
--- | How frames and whole images are taken: @--taxel@, @--axes@, @--image-axes@, @--position-scale@,
--- @--inverted@, @--full-scale@, @--poses@ and @--calibration@.
+-- | The options for reading frames and whole images: @--taxel@, @--axes@, @--image-axes@,
+-- @--position-scale@, @--inverted@, @--full-scale@, @--poses@ and @--calibration@.
 framesOptions :: Parser FramesChoice
 framesOptions =
   FramesChoice
     <$> taxelOption
-      "The distance between the sensor's neighbouring taxels, or the pixels of a whole image \
-      \(default: as manifest.json or the file says, or 1.5875)"
+      "Distance between neighbouring taxels of the sensor, or pixels of a whole image (default: as \
+      \manifest.json or the file states, or 1.5875)"
     <*> optional
       ( choosing
           "pair of axes"
           axesNamed
           "axes"
           "AXES"
-          "What the manifest's two coordinates are, x to the right and y down, in place of what it \
-          \says itself: x,-y has the second one go up, y,x has the two swapped (default: as \
-          \manifest.json says, or x,y)"
+          "Which axes the manifest's two coordinates are, where x points right and y down: for \
+          \x,-y the second one points up, for y,x the two are swapped (default: as manifest.json \
+          \states, or x,y)"
           mempty
       )
     <*> optional
@@ -67,8 +68,9 @@ framesOptions =
           axesNamed
           "image-axes"
           "AXES"
-          "Where the images' columns and rows go, seen from outside the face, x to the right and y \
-          \down: -x,y is mirrored, y,x transposed, -x,-y turned by half a turn (default: x,y)"
+          "Where the images' columns and rows point, seen from outside the face, where x points \
+          \right and y down: -x,y is mirrored, y,x transposed, -x,-y turned by 180 degrees \
+          \(default: x,y)"
           mempty
       )
     <*> optional
@@ -76,20 +78,30 @@ framesOptions =
           scaleReader
           "position-scale"
           "FACTOR[,FACTOR]"
-          "Multiply the positions, or x and y each by its own factor, as in 1000 for metres \
+          "Multiply the positions by this, or x and y by a factor each; 1000 if they are in metres \
           \(default: 1)"
       )
     <*> switch
-      (long "inverted" <> help "No contact is white in the images, and full contact black")
+      (long "inverted" <> help "In the images no contact is white, and full contact is black")
     <*> fullScaleOption
-    <*> posesOption "Where the frames of a movie, the one PATH, were pressed"
+    <*> posesOption "Where the frames of a movie, the only PATH, were pressed"
     <*> calibrationOption
   where
     scaleReader = do
       (across, down) <- pairReader ',' "1000 or 1000,1" <|> ((\s -> (s, s)) <$> decimalReader)
       if all (\s -> s > 0 && s <= 1e9) [across, down]
         then pure (across, down)
-        else readerError "a scale is a number above 0, up to 10^9"
+        else readerError "a scale is a number above 0 and up to 10^9"
+
+-- | The options of 'framesOptions' and 'stitchingOptions', as a group of a command's help.
+framesGroup :: Group
+framesGroup =
+  Group
+    "Frames and images"
+    ( words
+        "no-stitching position-error frame-noise taxel axes image-axes position-scale inverted \
+        \full-scale poses calibration"
+    )
 
 -- | @--taxel@.
 taxelOption :: String -> Parser (Maybe Double)
@@ -98,7 +110,13 @@ taxelOption = optional . valued decimalReader "taxel" "MM"
 -- | @--poses@.
 posesOption :: String -> Parser (Maybe FilePath)
 posesOption what =
-  optionalFile "poses" "FILE" (what ++ ": a line a frame, x_mm,y_mm or x_mm,y_mm,rotation_deg")
+  optionalFile
+    "poses"
+    "FILE"
+    ( what
+        ++ ": one line for each frame, x_mm,y_mm or \
+           \x_mm,y_mm,rotation_deg"
+    )
 
 -- | @--full-scale@.
 fullScaleOption :: Parser (Maybe Double)
@@ -108,8 +126,9 @@ fullScaleOption =
         fullScaleReader
         "full-scale"
         "READING"
-        "The reading of full contact; what is above counts as that (default: as manifest.json \
-        \says, or the file: the largest of its type, 1 of numbers with a point and of text)"
+        "The reading of full contact; higher readings count as this one (default: as manifest.json \
+        \or the file states; else the largest value of the file's type, 1 for floating point and \
+        \text)"
     )
   where
     fullScaleReader = do
@@ -124,10 +143,10 @@ calibrationOption =
   optionalFile
     "calibration"
     "FILE"
-    "Correct the frames first, or an image of the sensor's size, by what 'calibrate' wrote; dead \
+    "Correct the frames, or an image of the sensor's size, by this file of 'calibrate'; dead \
     \taxels count as not felt"
 
--- | What is known of the frames; leaves with status 2 where it cannot be.
+-- | How frames are prepared, from the options; leaves with status 2 if a value is impossible.
 preparation :: FramesChoice -> IO Preparation
 preparation choice =
   Preparation
@@ -139,36 +158,37 @@ preparation choice =
     <$> traverse usableTaxel (chosenTaxel choice)
     <*> traverse readCalibration (calibrationFile choice)
 
--- | What was said of how frames are put together.
+-- | The options about stitching.
 data StitchingChoice = StitchingChoice
   { asTheyAre :: Bool,
     positionError :: Maybe Double,
     sensorNoise :: Maybe Double
   }
 
--- | @--no-stitching@, and what the robot and the sensor are like.
+-- | @--no-stitching@, @--position-error@ and @--frame-noise@.
 stitchingOptions :: Parser StitchingChoice
 stitchingOptions =
   StitchingChoice
-    <$> switch (long "no-stitching" <> help "Take the nominal positions as they are")
+    <$> switch (long "no-stitching" <> help "Use the nominal positions, without correction")
     <*> optional
       ( valued
           decimalReader
           "position-error"
           "SIGMA"
-          "Standard deviation of each frame's position that the robot is known for, taxels \
-          \(default: 1; by the lattice, what the frames show of 0.5 to 4)"
+          "Standard deviation of the robot's position error, in taxels (default: 1; by the \
+          \lattice, the value from 0.5 to 4 that the frames show)"
       )
     <*> optional
-      ( valued
-          decimalReader
-          "noise"
-          "SD"
-          "Standard deviation of the sensor's noise, as a share of full scale (default: as the \
-          \frames show it)"
+      ( orAlias "noise" decimalReader mempty $
+          valued
+            decimalReader
+            "frame-noise"
+            "SD"
+            "Standard deviation of the noise in the frames, as a share of full scale (default: as \
+            \the frames show it)"
       )
 
--- | How frames are put together then.
+-- | The stitching that the options choose.
 stitchingOf :: StitchingChoice -> Stitching
 stitchingOf choice =
   way
@@ -178,8 +198,7 @@ stitchingOf choice =
   where
     way = if asTheyAre choice then nominalStitching else standardStitching
 
--- | The options that say something of frames and their positions alone, and whether they were
--- given.
+-- | The options that apply only to frames and their positions, and whether they were given.
 ofFrames :: StitchingChoice -> FramesChoice -> [(String, Bool)]
 ofFrames stitching frames =
   ("--axes", isJust (chosenAxes frames)) :
@@ -187,9 +206,9 @@ ofFrames stitching frames =
   ("--no-stitching", asTheyAre stitching) :
   ofRegistration stitching
 
--- | Those that say by what frames are registered.
+-- | The options about registration, and whether they were given.
 ofRegistration :: StitchingChoice -> [(String, Bool)]
 ofRegistration stitching =
   [ ("--position-error", isJust (positionError stitching)),
-    ("--noise", isJust (sensorNoise stitching))
+    ("--frame-noise", isJust (sensorNoise stitching))
   ]

@@ -1,5 +1,4 @@
--- | Ending in order when the program is told to end: what was begun is undone first, then the
--- signal takes its effect.
+-- | An orderly end after a signal: started work is undone first, then the signal takes its effect.
 module Interrupt
   ( endingInOrder,
     endings,

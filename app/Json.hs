@@ -1,4 +1,4 @@
--- | What is printed as JSON: answers on one line, and notices of files that were written.
+-- | JSON on the standard output: answers on one line, and notices of written files.
 module Json
   ( module PraTactile.Format.Json,
     module PraTactile.Format.Name,

@@ -36,7 +36,7 @@ data Line
 largestLine :: Int
 largestLine = 1024 * 1024
 
--- | What a line says, or why that cannot be read.
+-- | The text of a line, or why it cannot be read.
 lineText :: Line -> Either String Text
 lineText given = case given of
   Line text -> Right text

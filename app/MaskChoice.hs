@@ -1,4 +1,4 @@
--- | Choosing the cells of a window: @--mask@ draws them, @--window@ is a full rectangle.
+-- | The options for the cells of a window: @--mask@ draws them, @--window@ is a full rectangle.
 module MaskChoice
   ( maskOption,
     chosenMask,
@@ -21,8 +21,8 @@ import PraTactile.Window
 maskOption :: Parser (Maybe Mask)
 maskOption =
   optional . valued (eitherReader (first windowMessage . maskFromDrawing)) "mask" "DRAWING" $
-    "The window's cells, instead of a rectangle: # observed, . not, rows parted by / or line \
-    \ends (as in '##./.##')"
+    "The cells of the window, which need be no rectangle: # is observed, . is not, rows are \
+    \separated by / or line ends, as in '##./.##'"
 
 -- | The profile and the mask that are chosen, on the surface chosen; the profile's window is the
 -- extent of the mask.
@@ -32,6 +32,6 @@ chosenMask choice drawn surface = do
   mask <- maybe (orUnusable windowMessage (rectangle (profileWindow profile))) pure drawn
   pure (profile {profileSurface = fromMaybe (profileSurface profile) surface}, mask)
 
--- | As messages name it: @2x2@ or the drawing.
+-- | A mask as messages name it: @2x2@ or the drawing.
 maskText :: Mask -> String
 maskText mask = maybe (maskDrawing mask) shapeText (maskRectangle mask)

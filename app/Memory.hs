@@ -1,4 +1,4 @@
--- | How much a command may hold at once: what it will take is known before the work begins.
+-- | The memory that a command may use; its need is known before the work begins.
 module Memory
   ( mostBytes,
     bytesText,
@@ -10,7 +10,7 @@ import Control.Monad (when)
 import ExitStatus
 import Text.Printf (printf)
 
--- | The most bytes that are held at once: half of what a small computer has.
+-- | The largest memory in bytes: half of that of a small computer.
 mostBytes :: Integer
 mostBytes = 4000000000
 
@@ -30,7 +30,7 @@ bytesText bytes
 orTooMuch :: String -> String -> Integer -> IO ()
 orTooMuch what instead bytes =
   when (bytes > mostBytes) . unusable $
-    what ++ " would hold about " ++ bytesText bytes ++ " at once, and no more than "
+    what ++ " would hold about " ++ bytesText bytes ++ " at once; at most "
       ++ bytesText mostBytes
-      ++ " are taken: "
+      ++ " are allowed: "
       ++ instead

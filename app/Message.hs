@@ -1,4 +1,4 @@
--- | Every error in plain words that say what is wrong and, where it is not plain, what to do.
+-- | Every error in plain words: what is wrong and, unless it is obvious, what to do.
 module Message
   ( module Message.Certificate,
     module Message.Chance,

@@ -1,4 +1,4 @@
--- | Objects to be laid, as the command line names them, and why they are not laid.
+-- | Objects to be laid, as the command line names them, and messages about faces that are not laid.
 module NamedSolid
   ( namedSolid,
     sourceOf,
@@ -30,14 +30,13 @@ import PraTactile.Object.Vector (V3 (..))
 import PraTactile.Object.WingedEdge
 import Visible
 
--- | The solid that @[NAME=]SOLID|FILE@ is; the sheet has room for an array of this shape with
--- symbols so far apart, and without one there is none. Warns of triangles that are nearly one face.
--- Leaves with status 2 where there is no such solid.
+-- | The solid that @[NAME=]SOLID|FILE@ names. The sheet has room for an array of this shape with
+-- this pitch; without a shape, the sheet is refused. Warns of triangles that are nearly one face.
+-- Leaves with status 2 if there is no such solid.
 namedSolid :: Maybe Shape -> Pitch -> SolidReading -> String -> IO Solid
 namedSolid known between reading subject = do
   when (isNothing known && from == "sheet") . misused $
-    "the sheet is as large as its array, and has no size of its own for which --smallest could "
-      ++ "look; name a box"
+    "the sheet is as large as its array, so --smallest cannot choose the array; name another solid"
   it <- polyhedronMesh <$> polyhedron (fromMaybe (Shape 1 1) known) between reading from
   when (mendMerging mending == TrianglesMerged && isNothing (mendTolerance mending)) $
     for_ (nearlyMerged it) $ \(mm, faces) ->
@@ -67,8 +66,8 @@ nameAndSource subject = case break (== '=') subject of
   (given@(_ : _), '=' : rest) | '/' `notElem` given -> (Just given, rest)
   _ -> (Nothing, subject)
 
--- | A tolerance that puts more triangles together than lie exactly in one plane, and how many faces
--- there are then: a power of ten above what single precision rounds coordinates by.
+-- | A tolerance that merges more triangles than lie exactly in one plane, and the number of faces
+-- then. It is a power of ten above the rounding of coordinates in single precision.
 nearlyMerged :: Mesh -> Maybe (Rational, Int)
 nearlyMerged it = do
   guard (largest > 0)
@@ -83,7 +82,7 @@ nearlyMerged it = do
     rounding = fromInteger largest / (fromInteger (meshDenominator it) * 2 ^ (22 :: Int)) :: Double
     mm = 10 ^^ (ceiling (logBase 10 rounding) :: Int)
 
--- | How many symbols a face has, and the rows and columns of the block that they are of.
+-- | The number of symbols of a face, and the rows and columns of their block.
 --
 -- >>> symbolsText (wholeBlock (Shape 3 4))
 -- "12 symbols on 3x4 cells"
@@ -94,7 +93,7 @@ symbolsText block =
     ++ shapeText (blockShape block)
     ++ " cells"
 
--- | That no face of objects has room for a symbol, with the unit that their files may have.
+-- | The message that no face has room for a symbol, with the unit that the files may have.
 nothingCarries :: Pitch -> [Solid] -> String
 nothingCarries between objects =
   "no face has room for " ++ symbolText between
@@ -110,7 +109,7 @@ nothingCarries between objects =
             face <- solidFaces larger
         ]
 
--- | That a face has no room for a symbol.
+-- | The message that a face has no room for a symbol.
 noRoomOn :: Pitch -> Face -> String
 noRoomOn between (Face owner walk) =
   "the face " ++ visible (faceText walk) ++ " of the " ++ visible (objectText owner)
@@ -138,6 +137,6 @@ whyNot wishes reason = case reason of
           | Wanted (Face owner walk) _ <- take 1 (drop i wishes)
         ]
 
--- | That a search came to no end.
+-- | The message that a search gave up.
 noneFound :: String
 noneFound = "no placement was found, and it is not proved that there is none"

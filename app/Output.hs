@@ -55,7 +55,7 @@ import System.Posix.Types (FileMode)
 import System.Posix.User (getEffectiveUserID)
 import Visible (visibleName)
 
--- | What a name given for output stands for.
+-- | The target of an output name.
 data Target
   = StandardOutput
   | -- | a device or a FIFO: written to as it is
@@ -63,7 +63,7 @@ data Target
   | -- | a regular file, links resolved: replaced whole, or new
     Regular FilePath (Maybe FileStatus)
 
--- | What a name stands for; 'Left' with the complaint where nothing can be written.
+-- | The target of a name; 'Left' with the complaint if nothing can be written there.
 targetOf :: FilePath -> IO (Either String Target)
 targetOf "-" = pure (Right StandardOutput)
 targetOf name = either (Left . writeMessage name) id <$> try (resolved name >>= classified)
@@ -89,7 +89,7 @@ targetOf name = either (Left . writeMessage name) id <$> try (resolved name >>= 
                 Left (visibleName name ++ " is a socket, which cannot be written to as a file")
               | otherwise -> Right (Stream file)
 
--- | Whether this is what the standard output leads to, under whatever name.
+-- | Whether this file is the standard output, under any name.
 isStandardOutput :: FileStatus -> IO Bool
 isStandardOutput status = either none same <$> try (getFdStatus stdOutput)
   where
@@ -126,12 +126,13 @@ resolved = go (40 :: Int)
 writeWhole :: FilePath -> Lazy.ByteString -> IO ()
 writeWhole name bytes = writtenTo name (`Lazy.hPut` bytes)
 
--- | The same for whatever an action writes.
+-- | Write to where the name says by an action on a handle, whole or not at all for a file; leaves
+-- with status 2 if that fails.
 writtenTo :: FilePath -> (Handle -> IO a) -> IO a
 writtenTo name write = do
   target <- targetOf name >>= orUnusable id
   case target of
-    -- Where the program ends it is said what went wrong there.
+    -- The end of the program reports errors of the standard output.
     StandardOutput -> write stdout <* hFlush stdout
     Stream file -> guarded (bracket (openBinaryFile file WriteMode) hClose write)
     Regular file status -> guarded $ do
@@ -144,12 +145,12 @@ writtenTo name write = do
       pure result
   where
     guarded action = try action >>= either (unusable . writeMessage name) pure
-    -- Programs that were started meanwhile would hold the lock on.
+    -- Programs started in the meantime would keep the lock.
     closed handle = hFlush handle >> hUnlock handle >> hClose handle
 
--- | Continue a regular file, given its size and how many of its first bytes are kept: cut it to
--- these, and write after them. Leaves with status 2 where another run is writing it. What is no
--- regular file is written to as it is.
+-- | Continue a regular file, given its size and the number of bytes to keep: truncate it to these,
+-- and write after them. Leaves with status 2 if another run is writing it. Anything but a regular
+-- file is written to directly.
 writtenAfter :: FilePath -> (Int, Int) -> (Handle -> IO a) -> IO a
 writtenAfter name (size, kept) write = do
   target <- targetOf name >>= orUnusable id
@@ -167,14 +168,14 @@ writtenAfter name (size, kept) write = do
       either (unusable . writeMessage name) pure outcome
     _ -> writtenTo name write
 
--- | Say something of what is written there: on the standard output, or where that has what is
--- written, on the standard error.
+-- | Print a notice about a written file: on the standard output, or on the standard error if the
+-- file is the standard output.
 sayBeside :: FilePath -> String -> IO ()
 sayBeside name text = do
   standard <- leadsToStandardOutput name
   hPutStr (if standard then stderr else stdout) text
 
--- | Whether what is written there stands on the standard output.
+-- | Whether this name leads to the standard output.
 leadsToStandardOutput :: FilePath -> IO Bool
 leadsToStandardOutput "-" = pure True
 leadsToStandardOutput name =
@@ -200,10 +201,8 @@ openPart name file = do
   when
     inTheWay
     ( unusable
-        ( visibleName part
-            ++ " is in the way; it must be gone before "
-            ++ visibleName name
-            ++ " can be written"
+        ( "cannot write " ++ visibleName name
+            ++ (": " ++ visibleName part ++ " is in the way; remove it")
         )
     )
   handle <- openBinaryFile part ReadWriteMode
@@ -217,7 +216,7 @@ openPart name file = do
   where
     part = file ++ ".part"
 
--- | Give a file the mode that another one had, and its owner where one may.
+-- | Give a file the mode of another one, and its owner if that is permitted.
 keepingMode :: FilePath -> FileStatus -> IO ()
 keepingMode part status = do
   user <- getEffectiveUserID
@@ -272,7 +271,7 @@ writeFolder path files = do
   where
     asked = dropTrailingPathSeparator path
 
--- | Leave with status 2 if something is there that is no empty folder.
+-- | Leave with status 2 if anything but an empty folder is there.
 orTaken :: FilePath -> IO ()
 orTaken path = do
   taken <-
@@ -291,7 +290,7 @@ orTaken path = do
         Left problem
           | isFolder ->
             unusable ("cannot read " ++ visibleName path ++ ": " ++ systemReason problem)
-          | otherwise -> unusable (visibleName path ++ " is no folder" ++ needed)
+          | otherwise -> unusable (visibleName path ++ " is not a folder" ++ needed)
 
 -- | Why a file or folder cannot be written.
 writeMessage :: FilePath -> IOException -> String

@@ -1,5 +1,5 @@
--- | How large a written patch may be, by its text, before anything is built of it: so a line takes
--- memory in proportion to its length, whatever is in it.
+-- | The size limit of written patches, checked on the text before anything is built from it. So the
+-- memory for any line is proportional to its length.
 module PatchBound
   ( largestPatch,
     oversized,
@@ -17,8 +17,8 @@ import qualified Data.Text as Text
 largestPatch :: Int
 largestPatch = 65536
 
--- | What is wrong with a text that has more than 'largestPatch' cells, or too much else to be a
--- patch over an alphabet of this many symbols; one pass, in constant memory.
+-- | The complaint about a text with more than 'largestPatch' cells, or too long to be a patch over
+-- an alphabet of this size. One pass, in constant memory.
 oversized :: Int -> Text -> Maybe String
 oversized symbols text = case Text.uncons (Text.stripStart text) of
   Just ('[', _) -> ofJson 2

@@ -1,7 +1,7 @@
 {-# LANGUAGE OverloadedStrings #-}
 
--- | Patches as they are written: rows parted by @/@ or line ends, or JSON, in which cells may be
--- probabilities; and several of them, each with its displacement.
+-- | Written patches: rows separated by @/@ or line ends, or JSON, in which cells may be
+-- probabilities; and several patches, each with its displacement.
 module PatchText
   ( Written (..),
     Displaced,
@@ -29,16 +29,16 @@ import PraTactile.Locate (Cell (..), Patch, belief, patch)
 import PraTactile.Rows (rowsOf)
 import Readers
 
--- | What was written.
+-- | The patches of a text.
 data Written (k :: Field) = Written
   { writtenPatches :: [Displaced (Patch (Cell k))],
-    -- | Whether with displacements; else it is one patch alone.
+    -- | Whether patches have displacements; otherwise there is one patch.
     writtenDisplaced :: Bool
   }
 
 type role Written nominal
 
--- | Something with its displacement, rows down and columns to the right, from a common point.
+-- | A value with its displacement from a common point, rows down and columns to the right.
 type Displaced a = ((Integer, Integer), a)
 
 -- | Patches as they are written; 'Left' says what is wrong with the writing. Text that begins with

@@ -1,7 +1,7 @@
 {-# LANGUAGE OverloadedStrings #-}
 
--- | A recognition as a picture: what was felt on the left, where on the object that is on the
--- right, the answer and what the colours mean below.
+-- | A recognition as a picture: the composite on the left, its place on the object on the right,
+-- the answer and the legend below.
 module Picture
   ( Page (..),
     recognitionPage,
@@ -35,7 +35,7 @@ data Page = Page
     pageComposite :: Drawing,
     -- | empty where the answer is on no face
     pageFace :: Drawing,
-    -- | empty where the object's pose is not told
+    -- | empty if the object's pose is unknown
     pageObject :: Drawing,
     pageAnswer :: Drawing,
     pageLegend :: Drawing
@@ -97,7 +97,7 @@ beneath gap upper lower = shifted (leftEdge a - leftEdge b, bottomEdge a + gap -
     a = extentOf upper
     b = extentOf lower
 
--- | All of it.
+-- | The drawing of a page.
 pageDrawing :: Page -> Drawing
 pageDrawing page =
   concatMap ($ page) [pageComposite, pageFace, pageObject, pageAnswer, pageLegend]
@@ -106,7 +106,7 @@ pageDrawing page =
 pageSvg :: Page -> Lazy.ByteString
 pageSvg page = svgFile 16 (pageTitle page) (pageDrawing page)
 
--- | What there is to say of an answer beside where it is.
+-- | Notes on an answer, beside its place.
 notes :: (Int -> String) -> Recognition -> [String]
 notes nameOf recognition = case recognisedAnswer recognition of
   Right (Found found) ->
@@ -129,7 +129,7 @@ notes nameOf recognition = case recognisedAnswer recognition of
   Right (Several _ _) -> []
   Left _ -> ["no answer, so no face is drawn"]
 
--- | What is drawn on this picture, and what it means.
+-- | The legend of this picture.
 legend :: Double -> Recognition -> Drawing
 legend room recognition = flowing 10 room (map entry (readings ++ answers))
   where

@@ -1,12 +1,13 @@
--- | Choosing the objects, alike in every command that touches them or looks them up: @--placement
--- FILE@, @--database FILE@, @--object sheet@, or nothing, which is the shipped placement or of
--- another array the array itself.
+-- | The options that choose the objects, the same in every command that presses objects or looks
+-- them up: @--placement FILE@, @--database FILE@ or @--sheet@. Without them the objects are the
+-- shipped placement or, for another array, the array itself.
 module PlacementChoice
   ( PlacementChoice,
     placementChoice,
     placementBeside,
     placementGiven,
     plateOr,
+    objectsGroup,
     holding,
     ofDatabase,
     chosenPlacement,
@@ -37,9 +38,9 @@ import PraTactile.Relief (ReliefError (..), symbolScale)
 import PraTactile.Store
 import Visible (objectCalled, visibleName)
 
--- | Where the objects and their faces' places are stated.
+-- | The source of the objects and of the places of their faces.
 data PlacementChoice
-  = -- | The shipped placement, or of another array than its own the array itself.
+  = -- | The shipped placement; for another array, the array itself.
     Shipped
   | -- | The whole array as a flat plate.
     Plate
@@ -56,13 +57,13 @@ placementOption =
   fileOption
     "placement"
     "FILE"
-    "The objects and the places of their faces, as 'place' writes them, with their array \
-    \(default: the cube and the parallelepiped on arrays of 15 x 17, and of any other array the \
-    \whole of it as a flat plate)"
+    "The objects, the places of their faces and the array, as 'place' writes them (default: the \
+    \cube and the parallelepiped on arrays of 15 x 17; for other arrays the whole array as a flat \
+    \plate)"
 
 databaseOption :: String -> Parser FilePath
 databaseOption ofDatabase' =
-  fileOption "database" "FILE" (ofDatabase' ++ "; on a server: postgresql://...")
+  fileOption "database" "FILE" (ofDatabase' ++ " (on a server: postgresql://...)")
 
 -- | 'placementChoice' where a database may be given with a placement beside it, which says where
 -- objects are laid in it.
@@ -79,29 +80,40 @@ placementBeside ofDatabase' =
 placementGiven :: PlacementChoice -> [(String, Bool)]
 placementGiven choice = case choice of
   Shipped -> []
-  Plate -> [("--object", True)]
+  Plate -> [("--sheet", True)]
   InFile _ -> [("--placement", True)]
   InDatabase _ -> [("--database", True)]
 
--- | @--object sheet@, or another choice.
+-- | @--sheet@, or another choice.
 plateOr :: Parser PlacementChoice -> Parser PlacementChoice
 plateOr others =
-  ( Plate
-      <$ valued
-        plate
-        "object"
-        "sheet"
-        "The object is the whole array as a flat plate (default of arrays that are not 15 x 17)"
-  )
+  orAlias
+    "object"
+    (Plate <$ plate)
+    mempty
+    ( flag'
+        Plate
+        ( long "sheet"
+            <> help
+              "The object is the whole array as a flat plate (default for arrays that are not 15 x \
+              \17)"
+        )
+    )
     <|> others
   where
     plate = do
       named <- str
       if objectCalled named == plateName
         then pure ()
-        else readerError "only 'sheet' is named here; --placement FILE has other objects"
+        else readerError "only 'sheet' can be named here; --placement FILE has other objects"
 
--- | The choice where an object of this name is meant: without another one the plate.
+-- | The options that say what objects and symbols there are, as a group of a command's help.
+objectsGroup :: Group
+objectsGroup =
+  Group "The objects and their symbols" (words "sheet placement database shapes network")
+
+-- | The choice for an object of this name: the plate's name chooses the plate, unless objects are
+-- chosen by an option.
 holding :: ObjectName -> PlacementChoice -> PlacementChoice
 holding object choice = case choice of
   Shipped | object == plateName -> Plate
@@ -135,15 +147,16 @@ chosenPlacement array choice = case choice of
   where
     plated = orUnusable placementMessage . platePlacement . profileShape
 
--- | The same with one object alone, as far as that saves reading: of a database no other is read.
+-- | The placement chosen, where only one of its objects is needed: a database's other objects are
+-- not read.
 chosenWith :: ArrayChoice -> PlacementChoice -> ObjectName -> IO (Profile, Placement)
 chosenWith array choice named = case choice of
   InDatabase file -> chosenStored array file (\_ store -> storedObjects store [named])
   _ -> chosenPlacement array choice
 
--- | Go on with the profile and the placement chosen for who looks positions up: of a database
--- without an object, and with what reads the objects on and next to cells of the array that are
--- found. The database stays open meanwhile.
+-- | Continue with the chosen profile and placement, for a command that looks positions up. For a
+-- database the placement has no objects; the third argument reads those on and next to given cells.
+-- The database stays open meanwhile.
 withNear ::
   ArrayChoice ->
   PlacementChoice ->
@@ -158,9 +171,9 @@ withNear array choice going = case choice of
     (profile, layout) <- chosenPlacement array choice
     going profile layout (const (pure Nothing))
 
--- | The same for who presses the first so many faces and asks nothing that is further away on the
--- array than so many rows and columns, by the symbols' distances and the array's window: of a
--- database no more is read.
+-- | The placement chosen, for a command that presses the first @count@ faces. It needs only objects
+-- within a reach of these faces, rows and columns that follow from the symbols' distances and the
+-- array's window. No other objects of a database are read.
 chosenFirst ::
   ArrayChoice -> PlacementChoice -> Int -> (Pitch -> Shape -> Shape) -> IO (Profile, Placement)
 chosenFirst array choice count reach = case choice of
@@ -201,15 +214,15 @@ agreeing :: ArrayChoice -> FilePath -> Profile -> IO ()
 agreeing array file profile = unless (nothingChosen array) $ do
   other <- chosenProfile array
   unless (other == profile) . unusable $
-    "the array options describe another array than that of " ++ visibleName (shownName file)
+    "the array's options describe another array than that of " ++ visibleName (shownName file)
       ++ "; leave them out"
 
--- | 'chosenWith' where nothing is said about the array.
+-- | 'chosenWith' without options about the array.
 shownWith :: PlacementChoice -> ObjectName -> IO (Profile, Placement)
 shownWith = chosenWith unsaid
 
--- | How much larger than the paper's the symbols of a placement are, and the placement with all its
--- lengths divided by that. Leaves with status 2 where they cannot be felt.
+-- | The size of a placement's symbols relative to the paper's, and the placement with all its
+-- lengths divided by that. Leaves with status 2 if such symbols cannot be felt.
 feltPlacement :: Placement -> IO (Rational, Placement)
 feltPlacement layout = case symbolScale pitch of
   Nothing -> unusable (reliefMessage (PitchNotFelt pitch))

@@ -5,6 +5,7 @@ module Polyhedra
     asUsual,
     readingOptions,
     readingWith,
+    readingGroup,
     formatOption,
     Polyhedron (..),
     polyhedron,
@@ -39,17 +40,18 @@ import PraTactile.Object.Plate (plateSize)
 import System.FilePath (dropExtension, takeFileName)
 import Visible
 
--- | How polyhedra are read, as the command line says.
+-- | The options for reading polyhedra.
 data SolidReading = SolidReading
-  { -- | of files whose ends do not tell it
+  { -- | for files whose names do not end in one
     readingFormat :: Maybe SolidFormat,
-    -- | what all lengths are multiplied by
+    -- | the factor of all lengths
     readingScale :: Rational,
     readingMending :: Mending
   }
   deriving stock (Eq)
 
--- | A name as it says, and files in the format that their ends tell, with triangles put together.
+-- | The default: files in the format that their names end in, unscaled, with coplanar triangles
+-- merged.
 asUsual :: SolidReading
 asUsual = SolidReading Nothing 1 asItIs {mendMerging = TrianglesMerged}
 
@@ -63,31 +65,38 @@ readingOptions =
         AsWritten
         ( long "keep-triangles"
             <> help
-              "Leave triangles of one plane that share sides as they are (default: one face)"
+              "Keep adjacent triangles of one plane apart (default: they are merged into one face)"
         )
     )
     formatOption
 
--- | The same, given the options that say which faces are put together, and the format.
+-- | The options of 'readingWith' and 'readingOptions', as a group of a command's help.
+readingGroup :: Group
+readingGroup =
+  Group
+    "How files of solids are read"
+    (words "scale tolerance fix-orientation merge-coplanar keep-triangles format")
+
+-- | How polyhedra are read, given the options that say which faces are merged, and the format.
 readingWith :: Parser Merging -> Parser (Maybe SolidFormat) -> Parser SolidReading
 readingWith merging format =
   made
     <$> option
       (positiveReader "a factor")
       ( long "scale" <> metavar "S" <> value 1
-          <> help "Multiply all lengths of the object, as by 25.4 where a file has inches"
+          <> help "Multiply all lengths by this factor; 25.4 for a file in inches (default: 1)"
       )
     <*> optional
       ( valued
           (positiveReader "a length")
           "tolerance"
           "MM"
-          "Put vertices no further apart than this together, leave out faces no further from a \
-          \line, and move vertices no further than this so that faces are flat"
+          "Mend defects up to this size: merge vertices this near, leave out faces this near to a \
+          \line, move vertices by this much to make faces flat"
       )
     <*> switch
       ( long "fix-orientation"
-          <> help "Turn faces so that all are counter-clockwise seen from outside"
+          <> help "Turn faces so that all are counter-clockwise, seen from outside"
       )
     <*> merging
     <*> format
@@ -99,20 +108,20 @@ readingWith merging format =
 data Polyhedron = Polyhedron
   { -- | as its file has it, at its scale
     polyhedronGiven :: Mesh,
-    -- | what its file has beside
+    -- | what else its file has
     polyhedronPassed :: [Passed],
     -- | mended
     polyhedronMesh :: Mesh,
     polyhedronChanges :: Changes
   }
 
--- | The polyhedron that a name or a file says. The sheet has room for an array of this shape with
--- symbols so far apart.
+-- | The polyhedron of a name or a file. The sheet has room for an array of this shape with this
+-- pitch.
 polyhedron :: Shape -> Pitch -> SolidReading -> String -> IO Polyhedron
 polyhedron shape between reading subject =
   contentsOf (plateSize shape between) (readingFormat reading) subject >>= readBy reading subject
 
--- | What a file or a name says, taken as the command line says.
+-- | The polyhedron of a file or a name, scaled and mended as the options say.
 readBy :: SolidReading -> String -> Contents -> IO Polyhedron
 readBy reading subject (Contents whole passed) = do
   let given = scaledBy (readingScale reading) whole
@@ -122,8 +131,8 @@ readBy reading subject (Contents whole passed) = do
       (mended (readingMending reading) given)
   pure (Polyhedron given passed it changes)
 
--- | What a name says, or a file, which is of the format that its end tells, or else of this one.
--- The sheet has this width and depth.
+-- | The contents that a name stands for, or those of a file. The file's format is the one that its
+-- name ends in, or else the given one. The sheet has this width and depth.
 contentsOf :: (Rational, Rational) -> Maybe SolidFormat -> String -> IO Contents
 contentsOf plate given subject = case readName plate subject of
   Known known -> pure (Contents (fromDescription (namedDescription known)) [])
@@ -136,7 +145,7 @@ contentsOf plate given subject = case readName plate subject of
       )
   NoName -> fileContents given subject
 
--- | What a file says, in the format that its end tells, or else in this one.
+-- | The contents of a file, in the format that its name ends in, or else in this one.
 fileContents :: Maybe SolidFormat -> FilePath -> IO Contents
 fileContents given subject = do
   told <- case formatOfFile subject of
@@ -159,16 +168,16 @@ formatOption =
         [(formatName one, one) | one <- [minBound .. maxBound]]
         "format"
         "FORMAT"
-        "Format of files whose ends do not tell it"
+        "Format of files whose names do not end in one"
         mempty
     )
 
--- | Refuses @--format@ where it says nothing: of polyhedra that are read from files whose ends tell
--- their format, or that have names, and of a file that is written likewise.
+-- | Refuses @--format@ if it would change nothing: if all names of files, read and written, end in
+-- a known format, and it does not choose the text form of STL or PLY for the written one.
 formatHeeded :: Maybe SolidFormat -> [String] -> Maybe FilePath -> IO ()
 formatHeeded said subjects output =
   unless (any untold subjects || any chosen output) $
-    leaveOut "names and the ends of files tell what they are" [("--format", isJust said)]
+    leaveOut "the format is known from the names" [("--format", isJust said)]
   where
     untold subject = case readName (plateSize (Shape 1 1) canonicalPitch) subject of
       NoName -> isNothing (formatOfFile subject)
@@ -189,7 +198,7 @@ outputFormat said file = case (formatOfFile file, said) of
 
 endless :: FilePath -> String
 endless file =
-  "the end of " ++ visibleName file ++ " tells no format; give --format "
+  "the name " ++ visibleName file ++ " does not end in a known format; give --format "
     ++ intercalate "|" (map formatName [minBound .. maxBound])
 
 -- | An exact number above 0.
@@ -204,5 +213,5 @@ symbolsOption =
   option
     (positiveReader "a factor")
     ( long "symbols" <> metavar "S" <> value 1
-        <> help "Size of the symbols: S times 25.4 x 31.75 mm from one to the next (default 1)"
+        <> help "Size of the symbols: S times 25.4 x 31.75 mm from one to the next (default: 1)"
     )

@@ -36,13 +36,13 @@ import PraTactile.Steps (Steps (..))
 import System.IO (hFlush, hIsTerminalDevice, hPutStr, stderr, stdout)
 import System.IO.Unsafe (unsafeInterleaveIO)
 
--- | Work in steps: what is drawn of it.
+-- | Work in steps, and how it is shown.
 data Work
   = -- | how many steps were done before this run, and what is drawn
     Work Integer Drawn
 
 data Drawn
-  = -- | so many steps, by what one is called where there are many
+  = -- | the number of steps, and their name in the plural
     Counted Pace Integer String
   | -- | nobody knows how many; what is said of each
     Open (Integer -> String)
@@ -51,27 +51,27 @@ data Drawn
 data Pace = Even | Uneven
   deriving stock (Eq)
 
--- | So many steps that take about as long as each other, and what they are called.
+-- | Work of n steps that take about as long as each other, with their name in the plural.
 evenly :: Integral n => n -> String -> Work
 evenly total = Work 0 . Counted Even (toInteger total)
 
--- | So many steps, some of which may take much longer than others.
+-- | Work of n steps, some of which may take much longer than others.
 unevenly :: Integral n => n -> String -> Work
 unevenly total = Work 0 . Counted Uneven (toInteger total)
 
--- | Nobody knows how many steps; what is said of each.
+-- | Work with an unknown number of steps, given the text that is shown at each.
 openly :: (Integer -> String) -> Work
 openly = Work 0 . Open
 
--- | The same work, of which so many steps were done before.
+-- | Work of which the first n steps were done before.
 doneBefore :: Integer -> Work -> Work
 doneBefore before (Work _ drawn) = Work before drawn
 
 -- | A bar in use.
 data Bar = Bar
-  { -- | so many steps are done
+  { -- | report the number of steps done
     tell :: Integer -> IO (),
-    -- | print something else to the terminal meanwhile
+    -- | print something else to the terminal, without the bar
     aside :: forall a. IO a -> IO a
   }
 
@@ -113,7 +113,7 @@ besideOutput meanwhile work action = do
   mixed <- (meanwhile == Printing &&) <$> hIsTerminalDevice stdout
   if mixed then action (Bar (const (pure ())) id) else withProgress work action
 
--- | Pieces of output as one, each telling how much is done when it comes to be written.
+-- | Pieces of output joined lazily; each reports its progress when it is written.
 tellingAsRead :: Bar -> [(Integer, Lazy.ByteString)] -> IO Lazy.ByteString
 tellingAsRead bar = fmap Lazy.concat . go
   where
@@ -121,23 +121,23 @@ tellingAsRead bar = fmap Lazy.concat . go
       [] -> pure []
       (done, bytes) : more -> unsafeInterleaveIO (tell bar done >> (bytes :) <$> go more)
 
--- | The result of a computation in steps, each of which is how much is done.
+-- | The result of a computation in steps, each of which is the progress so far.
 follow :: Integral n => Bar -> Steps n a -> IO a
 follow bar steps = case steps of
   Step done more -> tell bar (toInteger done) >> follow bar more
   Done a -> pure a
 
--- | What is left of a computation after the first steps that are so much of some work.
+-- | The rest of a computation after its first steps, as long as the function gives their progress.
 followWhile :: (s -> Maybe Integer) -> Bar -> Steps s a -> IO (Steps s a)
 followWhile part bar steps = case steps of
   Step s more | Just done <- part s -> tell bar done >> followWhile part bar more
   _ -> pure steps
 
--- | Evaluate something that tells no steps, to its head; what is being done stands on the line.
+-- | Evaluate a value to weak head normal form, while the progress line shows this text.
 whileWorking :: String -> a -> IO a
 whileWorking what a = withProgress (openly (const what)) (\_ -> evaluate a)
 
--- | The line for so many steps done in so many seconds: less than 80 characters.
+-- | The progress line after n steps and a time in seconds: less than 80 characters.
 lineAt :: Work -> Integer -> Double -> String
 lineAt (Work before drawn) done seconds = take 79 $ case drawn of
   Open say -> say done ++ soFar

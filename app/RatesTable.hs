@@ -59,7 +59,7 @@ dashes = replicate 3 (padded "-")
 padded :: String -> String
 padded = printf "%7s"
 
--- | What a line is of.
+-- | The first columns of a line: size, errors, erasures.
 row :: String -> String -> String -> String
 row = printf "%-6s %6s %6s"
 
@@ -120,8 +120,8 @@ expectedAtMost answers = tenths (0.001 * fromIntegral answers)
 tenths :: Double -> String
 tenths = printf "%.1f"
 
--- | The same of all lines, where there are several: the largest deviation of each kind, the sums of
--- the rest.
+-- | The checks of all lines together, if there are several: the largest deviation of each kind, and
+-- sums of the rest.
 checksOfAll :: [Line] -> String
 checksOfAll made
   | length made < 2 = ""

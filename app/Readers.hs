@@ -1,6 +1,5 @@
--- | Readers of option values: decimal numbers, by "PraTactile.Decimal", and what is made of them. A
--- text that is no number is refused, whatever a programming language would make of it: @0x10@,
--- @" 1"@, @1_000@, @NaN@.
+-- | Readers of option values: decimal numbers, by "PraTactile.Decimal", and values made of them.
+-- The forms of programming languages are refused: @0x10@, @" 1"@, @1_000@, @NaN@.
 module Readers
   ( -- * Numbers
     Decimal (..),
@@ -36,7 +35,7 @@ import PraTactile.Array (Position (..), Shape (..))
 import PraTactile.Decimal (NotDecimal (..), asciiOf, readDouble, readWhole)
 import Visible
 
--- | Numbers that are written in decimal; 'Left' says why a text is none.
+-- | Numbers that are written in decimal; 'Left' is the complaint about a text.
 class Decimal a where
   readDecimal :: String -> Either String a
 
@@ -51,7 +50,7 @@ instance Decimal Integer where
   readDecimal text =
     maybe (Left (quoted text ++ " is not a whole number")) Right (readWhole (asciiOf text))
 
--- | The same, as far as the machine counts.
+-- | Whole numbers within the range of the machine.
 instance Decimal Int where
   readDecimal text =
     readDecimal text >>= \n ->
@@ -73,47 +72,47 @@ decimalReader = eitherReader readDecimal
 naturalReader :: ReadM Natural
 naturalReader = decimalReader
 
--- | A whole number, refused where it is too large to count with.
+-- | A whole number within the range of the machine.
 intReader :: ReadM Int
 intReader = decimalReader
 
--- | Two numbers parted by @x@, as 15x17: rows, then columns.
+-- | Two numbers separated by @x@, as 15x17: rows, then columns.
 shapeReader :: ReadM Shape
 shapeReader = eitherReader $ \text -> case splitOn 'x' text of
   high :| [wide] -> Shape <$> readDecimal high <*> readDecimal wide
   _ -> Left (quoted text ++ " is not a shape; write ROWSxCOLUMNS, as in 15x17")
 
--- | Two numbers parted by a comma: row, then column.
+-- | Two numbers separated by a comma: row, then column.
 positionReader :: ReadM Position
 positionReader = eitherReader readPosition
 
--- | The same of a text.
+-- | The position in a text: row and column, separated by a comma.
 readPosition :: String -> Either String Position
 readPosition text = case splitOn ',' text of
   r :| [c] -> Position <$> readDecimal (trim r) <*> readDecimal (trim c)
   _ -> Left (quoted text ++ " is not a position; write ROW,COLUMN, as in 6,5")
 
--- | Numbers parted by commas.
+-- | Numbers separated by commas.
 numbersReader :: ReadM [Natural]
 numbersReader = eitherReader $ \text -> case splitOn ',' text of
   one :| others -> traverse (readDecimal . trim) (one : others)
 
--- | Two numbers parted by a character; the text is an example.
+-- | Two numbers separated by a character, given an example for messages.
 pairReader :: Decimal a => Char -> String -> ReadM (a, a)
 pairReader separator example = eitherReader $ \text -> case splitOn separator text of
   a :| [b] | Right x <- readDecimal a, Right y <- readDecimal b -> Right (x, y)
   _ -> Left (quoted text ++ " is not understood; write it as in " ++ example)
 
--- | The path of a file or a folder, which no empty text is.
+-- | The path of a file or a folder; an empty text is refused.
 pathReader :: ReadM FilePath
 pathReader = eitherReader $ \text ->
   if null text then Left "an empty text names no file or folder" else Right text
 
--- | One of these by its name; the text says what it would be.
+-- | One of these values by its name, given what messages call such a value.
 namedReader :: String -> [(String, a)] -> ReadM a
 namedReader = namedReaderBy id
 
--- | The same where the function has made something of the text.
+-- | One of these values by its name, after a function has normalised the text.
 namedReaderBy :: (String -> String) -> String -> [(String, a)] -> ReadM a
 namedReaderBy normal what choices = eitherReader (readNamed normal what choices)
 
@@ -126,7 +125,7 @@ readNamed normal what choices name = case lookup (normal name) choices of
       final : others@(_ : _) -> intercalate ", " (reverse others) ++ " or " ++ final
       _ -> concat names
 
--- | Some of these by their names, parted by commas.
+-- | Some of these values by their names, separated by commas.
 namesReader :: String -> [(String, a)] -> ReadM [a]
 namesReader what choices =
   eitherReader (traverse (readNamed id what choices . trim) . toList . splitOn ',')

@@ -93,7 +93,7 @@ recognitionText nameOf paths recognition = case recognisedAnswer recognition of
         ++ show (column (windowPosition window))
         ++ " of the array"
 
--- | What the likeliest position rests on.
+-- | The evidence for the likeliest position.
 supportText :: Support -> String
 supportText support =
   counted

@@ -1,8 +1,10 @@
--- | Which sensor is simulated: a preset or a file, with constants replaced by options of their own.
+-- | The options that choose the simulated sensor: a preset or a file, and options that replace its
+-- constants.
 module SensorChoice
   ( SensorChoice (..),
     sensorOption,
     sensorOptions,
+    sensorGroup,
     chosenSensor,
     chosenSpacing,
     chosenSize,
@@ -38,7 +40,7 @@ import System.Directory (doesPathExist)
 import Text.Printf (printf)
 import Visible
 
--- | What was said about the sensor.
+-- | The options about the sensor.
 data SensorChoice = SensorChoice
   { -- | a preset's name, or a file's
     sensorNamed :: Maybe String,
@@ -68,66 +70,76 @@ sensorOption text =
       <> action "file"
       <> help text
 
--- | @--sensor@ and what replaces its constants.
+-- | @--sensor@, and the options that replace its constants.
 sensorOptions :: Parser SensorChoice
 sensorOptions =
   SensorChoice
     <$> optional
       ( sensorOption
-          "The sensor: ideal, paper, real, hard, or a file as 'sensor --json' prints it \
-          \(default: paper); the options below replace its constants"
+          "The sensor: ideal, paper, real, hard, or a file as 'sensor --json' prints it (default: \
+          \paper). The options below replace its constants"
       )
     <*> number
       "position-error"
       "SIGMA"
-      "Standard deviation of each frame's position, taxels of 1.5875 mm, on both axes (paper: 1)"
+      "Standard deviation of each frame's position on both axes, in taxels of 1.5875 mm (paper: 1)"
     <*> number
       "noise"
       "SD"
-      "Standard deviation of the noise, as a share of full scale (paper: 0.1)"
+      "Standard deviation of the sensor's noise, as a share of full scale (paper: 0.1)"
     <*> number
       "rotation-error"
       "SD"
-      "Standard deviation of each frame's rotation, degrees (paper: 0)"
+      "Standard deviation of each frame's rotation, in degrees (paper: 0)"
     <*> number
       "tilt"
       "DEGREES"
-      "Standard deviation of each frame's two tilts, about the sensor's x and y (paper: 0)"
+      "Standard deviation of each frame's two tilts, about the sensor's x and y axes (paper: 0)"
     <*> optional
       ( valued
           (pairReader 'x' "32x32")
           "frame"
           "WIDTHxHEIGHT"
-          "The sensor's elements, 4x4 to 256x256 (paper: 16x16)"
+          "Size of the sensor in taxels, 4x4 to 256x256 (paper: 16x16)"
       )
     <*> number
       "taxel"
       "MM"
-      "The distance between neighbouring elements; their tabs grow with it (paper: 1.5875)"
+      "Distance between neighbouring taxels; their tabs grow with it (paper: 1.5875)"
     <*> optional
       ( valued
           intReader
           "spacing"
           "TAXELS"
-          "The distance of neighbouring presses, the sensor's taxels (default: half its shorter \
-          \side)"
+          "Distance between neighbouring presses, in the sensor's taxels (default: half its \
+          \shorter side)"
       )
   where
     number name meta = optional . valued decimalReader name meta
 
--- | The sensor chosen; leaves with status 2 where it is none.
+-- | The options of 'sensorOptions', as a group of a command's help.
+sensorGroup :: Group
+sensorGroup =
+  Group
+    "The simulated sensor"
+    (words "sensor position-error noise rotation-error tilt frame taxel spacing")
+
+-- | The sensor chosen; leaves with status 2 if a constant is impossible.
 chosenSensor :: SensorChoice -> IO Sensor
 chosenSensor choice
   | not (inRange 0 999.999999 (positionSigma choice)) =
-    misused "--position-error is a number of taxels from 0 up"
+    misused "--position-error must be a number of taxels, 0 or more"
   | not (inRange 0 999.999999 (noiseSd choice)) =
-    misused "--noise is a share of full scale from 0 up"
+    misused "--noise must be a share of full scale, 0 or more"
   | not (inRange 0 180 (rotationSigma choice)) =
-    misused "--rotation-error is a number of degrees from 0 to 180"
-  | not (inRange 0 60 (tiltSigma choice)) = misused "--tilt is a number of degrees from 0 to 60"
+    misused "--rotation-error must be a number of degrees from 0 to 180"
+  | not (inRange 0 60 (tiltSigma choice)) =
+    misused
+      "--tilt must be a number of degrees from 0 to \
+      \60"
   | not (all side (concat [[w, h] | Just (w, h) <- [frameSize choice]])) =
-    misused "--frame is from 4x4 to 256x256"
-  | any (< 1) (spacing choice) = misused "--spacing is a number of taxels from 1 up"
+    misused "--frame must be from 4x4 to 256x256 taxels"
+  | any (< 1) (spacing choice) = misused "--spacing must be a number of taxels, 1 or more"
   | otherwise = do
     base <- maybe (pure standardSensor) readSensor (sensorNamed choice)
     taxel <- traverse usableTaxel (taxelSize choice)
@@ -152,8 +164,8 @@ chosenSensor choice
     put sensor (name, v) = either (misused . refusal name) pure (replaced name v sensor)
     refusal name = maybe name (rangeText name . constantRange)
 
--- | How much nearer than its centre the farther edges of a sensor are that is tilted by so many
--- degrees, as a share of a symbol's thickness.
+-- | How far a tilt by this angle in degrees lowers one edge of a sensor below its centre, as a
+-- share of a symbol's thickness.
 tiltShare :: Sensor -> Double -> Double
 tiltShare sensor degrees = half * tan (degrees * pi / 180) / symbolThickness
   where
@@ -172,12 +184,12 @@ ofPresses choice =
     ("--spacing", isJust (spacing choice))
   ]
 
--- | The region that a sensor explores, taxels, where nothing else is said.
+-- | The region that is explored, in taxels: the chosen one, or the default for the sensor.
 chosenSize :: Maybe (Int, Int) -> Sensor -> (Int, Int)
 chosenSize said sensor = fromMaybe (regionSizeFor sensor) said
 
--- | The sensor as symbols so many times as large as the paper's feel it: that of the same kind
--- whose elements are as many times closer.
+-- | A sensor as it feels symbols that are larger than the paper's by this factor: its taxels are
+-- closer by the factor.
 feltBySymbols :: Rational -> Sensor -> Sensor
 feltBySymbols scale sensor
   | scale == 1 = sensor
@@ -193,13 +205,13 @@ readSensor name = case find ((== name) . presetName) [minBound ..] of
       then readSensorFile name
       else
         misused
-          ( quoted name ++ " is no sensor: write "
+          ( quoted name ++ " is not a sensor: write "
               ++ intercalate ", " (map presetName [minBound ..])
               ++ " or the name of a file as 'pra-tactile sensor --json' prints it"
           )
 
--- | The distance of neighbouring taxels, millimetres, that @--taxel@ gives; leaves with status 2
--- where no sensor has it.
+-- | The distance of neighbouring taxels that @--taxel@ gives, in millimetres; leaves with status 2
+-- if it is out of range.
 usableTaxel :: Double -> IO Double
 usableTaxel taxel
   | isTaxelPitch taxel = pure taxel
@@ -230,14 +242,14 @@ bendOption =
           radiusReader
           "bend"
           "MM"
-          "The face is wrapped on a cylinder of this radius, and lengths on it are in arc length \
+          "The face is wrapped on a cylinder of this radius; lengths on it are arc lengths \
           \(default: it is flat)"
         <*> choosing
           "axis"
           (allNamed bendAxisName)
           "bend-axis"
           "x|y"
-          "The cylinder's axis, along the face's x or y (default: y)"
+          "The direction of the cylinder's axis on the face (default: y)"
           (value AboutY)
     )
   where
@@ -247,11 +259,11 @@ bendOption =
         then pure radius
         else readerError (rangeText "a radius, a number of millimetres," (0, longestRadius))
 
--- | In words.
+-- | A bend in words.
 bendText :: Bend -> String
 bendText (Bend radius axis) =
   printf "bent about %s with a radius of %g mm" (bendAxisName axis) radius
 
--- | The same where symbols are so many times as large as the paper's, in millimetres of those.
+-- | A bend for symbols larger than the paper's by this factor: its radius divided by the factor.
 bendBySymbols :: Rational -> Bend -> Bend
 bendBySymbols scale bend = bend {bendRadius = bendRadius bend / fromRational scale}

@@ -1,5 +1,5 @@
--- | The one place where the program chooses its shapes: those shipped for as many symbols as a
--- field has elements, or those of a drawing file; and the network that reads them.
+-- | The choice of shapes, those shipped for the elements of a field or those of a drawing file, and
+-- of the network that reads them.
 module Setup
   ( -- * Shapes alone
     AlphabetChoice,
@@ -47,15 +47,15 @@ import PraTactile.Profile (Profile (..))
 import PraTactile.Shape hiding (alphabet)
 import Visible (visibleName)
 
--- | Which shapes are meant where no array says it.
+-- | The choice of shapes for commands that know no array.
 data AlphabetChoice
-  = -- | nothing is said: those shipped for GF(4)
+  = -- | no option: those shipped for GF(4)
     Usual
   | -- | those shipped for the elements of the field of this order
     OfOrder Natural
   | DrawnIn FilePath
 
--- | @--q Q@, 4 where nothing is said, or @--shapes FILE@.
+-- | @--q Q@, by default 4, or @--shapes FILE@.
 alphabetChoice :: Parser AlphabetChoice
 alphabetChoice =
   DrawnIn <$> shapesFile
@@ -64,10 +64,10 @@ alphabetChoice =
         naturalReader
         "q"
         "Q"
-        ("The shapes shipped for the elements of GF(q) (default: " ++ show usualOrder ++ ")")
+        ("Use the shapes shipped for the elements of GF(q) (default: " ++ show usualOrder ++ ")")
     <|> pure Usual
 
--- | The order of the field whose shapes are meant where nothing is said.
+-- | The order of the field whose shapes are the default.
 usualOrder :: Natural
 usualOrder = 4
 
@@ -78,14 +78,14 @@ alphabetGiven choice = case choice of
   OfOrder _ -> [("--q", True)]
   DrawnIn _ -> [("--shapes", True)]
 
--- | The shapes; leaves with status 2 where there are none.
+-- | The chosen shapes; leaves with status 2 if there are none.
 chosenAlphabet :: AlphabetChoice -> IO Alphabet
 chosenAlphabet choice = case choice of
   Usual -> alphabetOfOrder usualOrder
   OfOrder q -> alphabetOfOrder q
   DrawnIn file -> readAlphabet file
 
--- | The order of the field whose elements the shapes are for, where no file has them.
+-- | The order of the field whose elements the shapes are for, unless they come from a file.
 orderOf :: AlphabetChoice -> Maybe Natural
 orderOf choice = case choice of
   Usual -> Just usualOrder
@@ -96,7 +96,7 @@ orderOf choice = case choice of
 readAlphabet :: FilePath -> IO Alphabet
 readAlphabet = readShapes decodeAlphabet
 
--- | The same, of shapes that an alphabet could not have as well.
+-- | The drawings in a file, also of shapes that an alphabet cannot have.
 readDrawings :: FilePath -> IO Drawings
 readDrawings = readShapes decodeDrawings
 
@@ -120,10 +120,11 @@ shapesFile =
   fileOption
     "shapes"
     "FILE"
-    "The shapes drawn in a file, as 'shapes --design' writes it, in place of those shipped"
+    "Use the shapes drawn in this file, as 'shapes --design' writes it, in place of the shipped \
+    \ones"
 
--- | The shapes of an array's symbols, one an element: those in the file, or those shipped. Leaves
--- with status 2 where they are not as many.
+-- | The shapes of an array's symbols, one for each element: those in the file, or the shipped ones.
+-- Leaves with status 2 if their number differs from q.
 alphabetFor :: Maybe FilePath -> Profile -> IO Alphabet
 alphabetFor Nothing profile = alphabetOfOrder (profileOrder profile)
 alphabetFor (Just file) profile = do
@@ -147,20 +148,19 @@ readerChoice :: Parser ReaderChoice
 readerChoice =
   ReaderChoice <$> shapesOption <*> networkOption
 
--- | What an array's symbols are read with.
+-- | The reader of an array's symbols.
 readerFor :: ReaderChoice -> Profile -> IO Reader
 readerFor (ReaderChoice drawn weights) profile =
   alphabetFor drawn profile >>= (`readerWith` weights)
 
--- | What an alphabet is read with: the weights in the file, or the shipped ones, and what their
--- calibration is.
+-- | The reader of an alphabet: the weights in the file, or the shipped ones, with their
+-- calibration.
 readerWith :: Alphabet -> Maybe FilePath -> IO Reader
 readerWith alphabet weights = do
   file <- networkFor alphabet weights
   pure (readerOf alphabet (fileNetwork file)) {readerCalibration = fileCalibration file}
 
--- | How sure estimates of an alphabet's symbols are, where no file says it: as of the shipped
--- alphabet of as many.
+-- | The calibration of an alphabet without a file: that of the shipped alphabet of the same size.
 calibrationFor :: Alphabet -> Calibration
 calibrationFor alphabet = fromRight (standardCalibration q) (shippedCalibration q)
   where
@@ -176,11 +176,11 @@ networkOption =
   optionalFile
     "network"
     "FILE"
-    "Use the weights in a file, as 'train' writes it (default: the shipped ones)"
+    "Use the weights in this file, as 'train' writes it (default: the shipped ones)"
 
--- | The network that reads an alphabet, from a file in either form, or shipped: those know the
--- shipped shapes only. Leaves with status 2 where a file is none, or is of other shapes; a text
--- does not say of which it is.
+-- | The network that reads an alphabet, from a file in either form, or the shipped one, which knows
+-- only the shipped shapes. Leaves with status 2 if a file holds no network, or one for other
+-- shapes; weights as text do not name their shapes.
 networkFor :: Alphabet -> Maybe FilePath -> IO NetworkFile
 networkFor alphabet weights = case weights of
   Just file -> do
@@ -193,8 +193,8 @@ networkFor alphabet weights = case weights of
       stated (Just shippedSeed) (Just "shipped") <$> orUnusable shippedMessage (shippedNetwork q)
     | otherwise ->
       unusable
-        "no shipped network knows these shapes; let 'train --shapes FILE' learn them, and give \
-        \its weights by --network"
+        "no shipped network knows these shapes; train one by 'train --shapes FILE', and give its \
+        \weights by --network"
   where
     q = alphabetSize alphabet
     own = alphabetDigest alphabet
@@ -215,4 +215,4 @@ networkFor alphabet weights = case weights of
         then pure given
         else
           unusable
-            (inFile file ("it was trained on other shapes than the " ++ show q ++ " in force"))
+            (inFile file ("it was trained on other shapes than the " ++ show q ++ " in use"))

@@ -1,4 +1,4 @@
--- | Files that pictures are drawn into.
+-- | Files of pictures.
 module SvgFile
   ( orNotSvg,
     standardOutput,
@@ -12,15 +12,15 @@ import Output
 import System.FilePath (takeExtension)
 import Visible
 
--- | Leave with status 2 if nothing can be written there, or if the name says that the picture is of
--- another form than SVG. A device has no form, whatever it is called.
+-- | Leave with status 2 if nothing can be written there, or if the name ends in another image
+-- format than SVG. A device may have any name.
 orNotSvg :: FilePath -> IO ()
 orNotSvg file = do
   target <- targetOf file >>= orUnusable id
   case target of
     Regular _ _ ->
       when (map toLower (takeExtension file) `elem` others) $
-        misused ("a picture is drawn as SVG only; end the name " ++ visibleName file ++ " in .svg")
+        misused ("a picture is always SVG; end the name " ++ visibleName file ++ " in .svg")
     _ -> pure ()
   where
     others =

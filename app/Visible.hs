@@ -1,5 +1,5 @@
--- | Text of foreign origin (names, values) as it is shown: on one line, in characters that can be
--- printed, not without end.
+-- | Text of foreign origin, such as names and values, as it is shown: on one line, in printable
+-- characters, of limited length.
 module Visible
   ( visible,
     visibleName,
@@ -17,7 +17,7 @@ import Numeric (showHex)
 import PraTactile.Object.Description (ObjectName (..))
 import PraTactile.Store (shownName)
 
--- | Control characters, and what cannot be printed, as escapes: @\\n@, @\\x1b@. A byte of a file's
+-- | A text with control and unprintable characters as escapes: @\\n@, @\\x1b@. A byte of a file's
 -- name that is no UTF-8 arrives as one of the characters U+DC80 to U+DCFF and is shown as the byte
 -- that it was: @\\xe9@.
 visible :: String -> String
@@ -48,7 +48,7 @@ nameInJson =
 objectCalled :: String -> ObjectName
 objectCalled = ObjectName . nameInJson
 
--- | Between quotation marks, as a value of the user's is shown in a message.
+-- | A text between quotation marks, as messages show the user's values.
 quoted :: String -> String
 quoted text = "\"" ++ visibleName text ++ "\""
 

@@ -91,8 +91,7 @@ printf '%s\n' "$help" | page pra-tactile "" > "$folder/pra-tactile.1"
 
 for command in $commands; do
   text=$("$program" "$command" --help)
-  # What it does, to the end of the first sentence or clause.
-  title=$(printf '%s\n' "$text" | awk '/^  [A-Z]/ && !listed { on = 1 } /^$/ { if (on) exit } /:$/ { listed = 1 } on { print }' \
-    | tr '\n' ' ' | sed -e 's/^ *//' -e 's/   */ /g' -e 's/[.;:] .*//' -e 's/ (.*//' -e 's/[.;:] *$//')
+  # What it does, as the program's help has it on one line.
+  title=$(printf '%s\n' "$help" | awk -v name="$command" '/^  [a-z]/ && $1 == name { sub(/^  [a-z]+ +/, ""); print; exit }')
   printf '%s\n' "$text" | page "pra-tactile-$command" "$title" > "$folder/pra-tactile-$command.1"
 done

@@ -1,5 +1,4 @@
--- | @pra-tactile advise@: which arrays there are, which there are not and why, and what to do
--- instead.
+-- | @pra-tactile advise@: which arrays exist, which do not and why, and what to do instead.
 module Command.Advise
   ( command,
   )
@@ -11,12 +10,14 @@ import Options
 import PraTactile.Advise
 import PraTactile.Format (encodeAdvice)
 
-command :: Mod CommandFields (IO ExitStatus)
+command :: Subcommand
 command =
   subcommand
     "advise"
-    "List the arrays of at least so many rows and columns: what is possible, what is not and why, \
-    \in order of size; status 1 if nothing is."
+    "List which arrays of at least a given size exist"
+    "List the arrays with at least so many rows and columns, the smallest first: which exist, and \
+    \which do not and why. The status is 1 if none exists."
+    []
     [ "pra-tactile advise --rows 30 --columns 40 --q 4",
       "pra-tactile advise --rows 15 --columns 273 --q 4 --window 2x3"
     ]
@@ -31,7 +32,7 @@ command =
         <*> jsonSwitch "Print the advice as JSON"
     )
   where
-    least name = valued naturalReader name "NUMBER" ("Least number of " ++ name)
+    least name = valued naturalReader name "NUMBER" ("At least this many " ++ name)
 
 run :: Request -> AnswerForm -> IO ExitStatus
 run request form = do

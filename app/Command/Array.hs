@@ -23,29 +23,32 @@ import PraTactile.Format (encodeArray)
 import PraTactile.Image.Pgm (PgmFormat (..), encodePgm, pgm8)
 import PraTactile.Profile
 
--- | The forms the array can take.
+-- | The output formats.
 data Format = Text | Csv | Json | Pgm | Svg
   deriving stock (Eq, Show)
 
-command :: Mod CommandFields (IO ExitStatus)
+command :: Subcommand
 command =
   subcommand
     "array"
-    "Print the pseudorandom array: codes (csv, json, pgm) or elements (text), one row a line."
+    "Print the array as text, CSV, JSON, PGM or SVG"
+    "Print the array, one row a line. Text has the elements, as 0, 1, A and A^2; CSV, JSON and PGM \
+    \have their codes."
+    [arrayGroup]
     [ "pra-tactile array",
       "pra-tactile array --format csv --q 2 --polynomial 1,1,0,0,1 --shape 3x5"
     ]
-    (run <$> arrayChoice <*> format <*> outputFileOption)
+    (run <$> format <*> outputFileOption <*> arrayChoice)
   where
     format = choosing "format" formats "format" "FORMAT" text (value Text)
-    text = "text, csv, json, pgm or svg (default: text)"
+    text = "What is printed: text, csv, json, pgm or svg (default: text)"
     formats = [("text", Text), ("csv", Csv), ("json", Json), ("pgm", Pgm), ("svg", Svg)]
 
 -- | The array with each element's code and its name.
 type Cells = [[(Int, String)]]
 
-run :: ArrayChoice -> Format -> Maybe FilePath -> IO ExitStatus
-run choice format output = do
+run :: Format -> Maybe FilePath -> ArrayChoice -> IO ExitStatus
+run format output choice = do
   profile <- chosenProfile choice
   cells <-
     orUnusable

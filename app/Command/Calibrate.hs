@@ -18,21 +18,27 @@ import PraTactile.Image (rasterHeight, rasterWidth)
 import PraTactile.Sensor.Calibration
 import PraTactile.Source (folderRasters, withFullScale)
 
-command :: Mod CommandFields (IO ExitStatus)
+command :: Subcommand
 command =
   subcommand
     "calibrate"
-    "Find each taxel's offset and gain, and which are dead, from frames where nothing is touched \
-    \and frames where all taxels are pressed alike."
+    "Find a sensor's offsets, gains and dead taxels"
+    "Find each taxel's offset and gain, and the dead taxels, from dark frames, in which nothing is \
+    \touched, and flat frames, in which all taxels are pressed alike."
+    []
     [ "pra-tactile probe --dark 16 --sensor hard --seed 7 --output dark",
       "pra-tactile probe --flat 16 --sensor hard --seed 7 --output flat",
       "pra-tactile calibrate --dark dark --flat flat --output calibration.json"
     ]
     ( run
-        <$> folderOption "dark" "The folder of frames, or the movie, where nothing is touched"
-        <*> folderOption "flat" "The same where all taxels are pressed alike"
+        <$> folderOption "dark" "The dark frames: a folder, or a movie"
+        <*> folderOption "flat" "The flat frames: a folder, or a movie"
         <*> fullScaleOption
-        <*> fileOption "output" "FILE" "The calibration, which stitch, decode and register take"
+        <*> fileOption
+          "output"
+          "FILE"
+          "Write the calibration to this file, for --calibration of \
+          \stitch, segment, decode and register"
     )
 
 run :: FilePath -> FilePath -> Maybe Double -> FilePath -> IO ExitStatus

@@ -33,7 +33,7 @@ import PraTactile.Window.Proof (Verdict (..))
 import Progress
 import System.IO
 
--- | What the command line says.
+-- | The options.
 data Asked = Asked
   { askedOrder :: Natural,
     askedModulus :: Maybe [Natural],
@@ -46,14 +46,17 @@ data Asked = Asked
     askedForm :: AnswerForm
   }
 
-command :: Mod CommandFields (IO ExitStatus)
+command :: Subcommand
 command =
   subcommand
     "census"
-    "Every primitive polynomial of a degree, every shape that its sequence fills, and every \
-    \window: whether the windows are distinct, by both roads, and their minimum distance, as a \
-    \CSV file. Running it again continues an unfinished file. Each row ends with a check, the \
-    \first digits of the SHA-256 of the rest of it, so that a damaged file is refused."
+    "Tabulate every array of a size, as CSV"
+    "Write a CSV file of every primitive polynomial of a degree, every shape that its sequence \
+    \fills, and every window. A row says whether the windows are distinct, by two methods, and has \
+    \their minimum distance. Running the command again continues an unfinished file. Each row ends \
+    \with a check, the first digits of the SHA-256 of the rest of the row; a damaged file is \
+    \refused."
+    []
     [ "pra-tactile census --q 4 --degree 4 --output census.csv",
       "pra-tactile census --q 4 --degree 6 --shard 1/8 --output part1.csv"
     ]
@@ -64,21 +67,21 @@ asked =
   Asked
     <$> orderOption
     <*> modulusOption
-    <*> valued naturalReader "degree" "N" "Degree n of the polynomials: arrays of q^n - 1 cells"
-    <*> foldingOption "diagonal or row-major (default: both)"
+    <*> valued naturalReader "degree" "N" "Degree n of the polynomials; arrays have q^n - 1 cells"
+    <*> foldingOption "How sequences fill the array: diagonal or row-major (default: both)"
     <*> many
       ( valued
           shapeReader
           "window"
           "ROWSxCOLUMNS"
-          "A window, instead of all rectangles of n cells and those with one row or column more; \
-          \may be repeated"
+          "A window; may be repeated (default: all rectangles of n cells, and those with one row \
+          \or column more)"
       )
     <*> (fromMaybe (1, 1) <$> shardOption)
     <*> keepWholeSwitch
-      "Continue a damaged file too: rows that are whole are kept, the others made again"
-    <*> fileOption "output" "FILE" "The file to write or to continue"
-    <*> jsonSwitch "Tell as JSON what was written"
+      "Continue a damaged file: keep its whole rows, and make the others again"
+    <*> fileOption "output" "FILE" "The file that is written or continued"
+    <*> jsonSwitch "Report as JSON what was written"
 
 run :: Asked -> IO ExitStatus
 run given = do
@@ -100,8 +103,7 @@ run given = do
       rowsAfter (toInteger shardSize) kept (rowsToMake wanted kept)
   Answered <$ sayCensus (askedForm given) (askedOutput given) shardSize provedOnes
 
--- | The rows after those that are kept, made on all cores, each with whether it says that the
--- windows are distinct.
+-- | The rows after the kept ones, made on all cores, each with whether its windows are distinct.
 rowsToMake :: Wanted -> Kept -> [Either String (Bool, ByteString)]
 rowsToMake wanted kept =
   withStrategy
@@ -110,9 +112,9 @@ rowsToMake wanted kept =
       | (entry, body) <- drop (keptCount kept) (wantedInOrder wanted)
     ]
 
--- | The file's length, and what is in it already: nothing, or the first of the rows that it is to
--- have. Leaves with status 2 if it is anything else, and does not touch it; unless it is damaged
--- and what is whole is to be kept: then the damaged rows are made again first.
+-- | The file's length and its rows so far, which must be the first of the wanted rows. Any other
+-- file is left alone, with status 2. With 'Repaired', the damaged rows of a file are made again
+-- first.
 continued :: Damage -> FilePath -> Wanted -> IO (Int, Kept)
 continued damage file wanted = do
   bytes <- alreadyIn file
@@ -128,8 +130,8 @@ continued damage file wanted = do
           pure (keptBytes kept, kept)
         Left fault -> unusable (censusFileMessage file fault)
 
--- | The file with its damaged rows made again, up to the last whole one; it is replaced whole, so
--- that nothing that was kept is lost if this is interrupted.
+-- | Make the damaged rows of a file again, up to the last whole one. The file is replaced whole, so
+-- that an interruption loses no kept row.
 repaired :: FilePath -> Wanted -> Contents -> IO Kept
 repaired file wanted contents = do
   (parts, left) <- orUnusable (censusFileMessage file) (keptOfDamaged wanted contents)
@@ -144,8 +146,8 @@ repaired file wanted contents = do
 isProved :: Entry -> Bool
 isProved = either (const False) proved . entryVerdict
 
--- | Write the rows after those that are kept, each at once and whole, given how many there are in
--- all; the number of rows that say that the windows are distinct.
+-- | Write the rows after the kept ones, each at once and whole, given the number of all rows.
+-- Returns the number of rows with distinct windows.
 rowsAfter :: Integer -> Kept -> [Either String (Bool, ByteString)] -> Handle -> IO Int
 rowsAfter total kept made handle = do
   when (keptBytes kept == 0) (Bytes.hPutStr handle (headerLine <> "\n"))

@@ -25,37 +25,49 @@ import PraTactile.Format (encodeCertificate)
 import PraTactile.Profile (Profile (..))
 import PraTactile.Window (Mask)
 
-command :: Mod CommandFields (IO ExitStatus)
+command :: Subcommand
 command =
   subcommand
     "certificate"
-    "Prove that the content of every window tells its position, and write the proof down so that \
-    \a stranger can check it ('pra-tactile check', or data/check_certificate.py, which needs \
-    \Python alone)."
+    "Write a proof that all windows are distinct"
+    "Prove that every window has a content of its own, and write the proof so that others can \
+    \check it: by 'pra-tactile check', or by data/check_certificate.py, which needs only Python."
+    [arrayGroup]
     [ "pra-tactile certificate --output paper.json",
       "pra-tactile certificate --mask '##./.##' --surface sheet --enumeration --output sheet.json"
     ]
-    ( run <$> arrayChoice <*> maskOption <*> surfaceOption <*> evidence
+    ( run <$> maskOption <*> surfaceOption <*> evidence
         <*> outputFileOption
-        <*> jsonSwitch "With --output, tell as JSON what was written"
+        <*> jsonSwitch "With --output, report as JSON what was written"
+        <*> arrayChoice
     )
   where
     evidence =
-      flag' RankMethod (long "rank" <> help "Show the rank of the window's cells, at any size")
+      flag'
+        RankMethod
+        ( long "rank"
+            <> help
+              "Prove it by the rank of the window's cells, for \
+              \arrays of any size"
+        )
         <|> flag'
           EnumerationMethod
-          (long "enumeration" <> help "Give the digest of all windows, sorted")
+          ( long "enumeration"
+              <> help
+                "Prove it by visiting all windows, and give the digest of \
+                \the sorted windows"
+          )
         <|> pure AnyMethod
 
 run ::
-  ArrayChoice ->
   Maybe Mask ->
   Maybe Surface ->
   Method ->
   Maybe FilePath ->
   AnswerForm ->
+  ArrayChoice ->
   IO ExitStatus
-run choice drawn on evidence output form = do
+run drawn on evidence output form choice = do
   unless (isJust output) $
     leaveOut "the certificate itself is JSON" [("--json", form == AsJson)]
   (profile, mask) <- chosenMask choice drawn on
@@ -69,7 +81,7 @@ run choice drawn on evidence output form = do
       for_ output (report form certificate)
       pure Answered
 
--- | What was written to a file.
+-- | Report what was written to a file.
 report :: AnswerForm -> Certificate -> FilePath -> IO ()
 report form certificate file = sayWrittenAs form file inWords "certificate-written/1" keys
   where

@@ -14,15 +14,20 @@ import PraTactile.Format (CertificateFile (..), encodeCheck)
 import PraTactile.Format.Name (shapeText, surfaceName)
 import PraTactile.Profile
 
-command :: Mod CommandFields (IO ExitStatus)
+command :: Subcommand
 command =
   subcommand
     "check"
+    "Check a certificate step by step"
     "Check a certificate step by step: the primes, the order of the polynomial's root, the fold, \
     \and the rank or the digest."
+    []
     ["pra-tactile check paper.json"]
     ( run
-        <$> pathArgument (metavar "FILE" <> action "file")
+        <$> pathArgument
+          ( metavar "FILE" <> action "file"
+              <> help "A certificate, as 'pra-tactile certificate' writes it"
+          )
         <*> jsonSwitch "Print the outcome as JSON"
     )
 

@@ -1,4 +1,4 @@
--- | @pra-tactile classify@: which symbol an image of one shows.
+-- | @pra-tactile classify@: which symbol an image shows.
 module Command.Classify
   ( command,
   )
@@ -29,15 +29,18 @@ data Options = Options
     levels :: (Double, Double),
     fullScale :: Maybe Double,
     form :: AnswerForm,
-    -- | 'Nothing': a path a line of the standard input
+    -- | 'Nothing': paths on the standard input, one a line
     given :: Maybe [FilePath]
   }
 
-command :: Mod CommandFields (IO ExitStatus)
+command :: Subcommand
 command =
   subcommand
     "classify"
-    "Tell which symbol an 8 x 12 image shows, upright or upside down, and how likely each is."
+    "Tell which symbol an 8 x 12 image shows"
+    "Tell which symbol an 8 x 12 image shows, upright or upside down, and the probability of each \
+    \symbol."
+    []
     [ "pra-tactile classify images/0_0.pgm --levels 0.25,0.75",
       "pra-tactile classify images/0_0.pgm images/1_0.pgm --levels 0.25,0.75 --json",
       "ls images/*.pgm | pra-tactile classify --batch --levels 0.25,0.75 --classifier means"
@@ -52,30 +55,44 @@ command =
           (allNamed methodName)
           "classifier"
           "network|means|logistic"
-          "The network (default), the nearest class mean by correlation, or logistic regression"
+          "The network (default), the class mean with the highest correlation (means), or logistic \
+          \regression (logistic)"
           (value ByNetwork)
         <*> option
           (pairReader ',' "0.25,0.75")
           ( long "levels"
               <> metavar "LOW,HIGH"
               <> value (0, 1)
-              <> help "What a flat and an embossed taxel are, of full scale (default: 0,1)"
+              <> help
+                "Values of a flat and of an embossed taxel, as shares of full scale \
+                \(default: 0,1)"
           )
         <*> fullScaleOption
-        <*> jsonSwitch "Print a line of JSON an image"
-        <*> ( flag' Nothing (long "batch" <> help "Read a path a line from the standard input")
-                <|> (Just <$> some (pathArgument (metavar "IMAGE" <> action "file")))
+        <*> jsonSwitch "Print a line of JSON for each image"
+        <*> ( flag'
+                Nothing
+                ( long "batch"
+                    <> help
+                      "Read the paths of images from the standard \
+                      \input, one a line"
+                )
+                <|> ( Just
+                        <$> some
+                          ( pathArgument
+                              (metavar "IMAGE" <> action "file" <> help "Images of 8 x 12 pixels")
+                          )
+                    )
             )
 
 run :: AlphabetChoice -> Options -> IO ExitStatus
 run choice options
   | not (fst (levels options) < snd (levels options)) =
-    misused "--levels are two numbers, the lower one first"
+    misused "--levels must be two numbers, the lower one first"
   | method options /= ByNetwork && weights options /= Nothing =
-    misused "--network is of the classifier network"
+    misused "--network is only for --classifier network"
   | otherwise = do
     alphabet <- chosenAlphabet choice
-    -- The others need no network, and so there may be none.
+    -- The other classifiers need no network, so a missing network is no error.
     classifier <- case method options of
       ByMeans -> pure (meansClassifier (calibrationFor alphabet) alphabet)
       ByLogistic -> pure (logisticClassifier (calibrationFor alphabet) alphabet)
@@ -96,11 +113,11 @@ run choice options
       Just paths -> maximum . (Answered :) <$> traverse one paths
       Nothing -> forLines next Answered
 
--- | Why there is no image of a symbol.
+-- | The reason why a path gives no image of a symbol.
 data NoImage = NoImage
-  { -- | where the file is named beside it
+  { -- | for output that names the file itself
     reason :: String,
-    -- | by itself
+    -- | as a complete sentence, with the name of the file
     sentence :: String
   }
 
@@ -143,7 +160,7 @@ told form' path shown = do
           (sum (take 1 (drop c (classifiedChances shown))))
       Nothing -> verdictName (classifiedVerdict shown)
 
--- | Print that a line names no image of a symbol, and why.
+-- | Print that a line gives no image of a symbol, and why.
 invalid :: AnswerForm -> FilePath -> NoImage -> IO ExitStatus
 invalid form' path why = do
   case form' of

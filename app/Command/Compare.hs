@@ -20,22 +20,24 @@ import PraTactile.Symmetry (Symmetry, degreesClockwise)
 import PraTactile.Truth
 import Text.Printf (printf)
 
-command :: Mod CommandFields (IO ExitStatus)
+command :: Subcommand
 command =
   subcommand
     "compare"
-    "Compare an answer with the truth: is the window's centre where the answer says, and to how \
-    \many millimetres?"
+    "Compare an answer of 'decode' with the truth"
+    "Compare an answer with the truth: whether the window's centre is where the answer says, and \
+    \how many millimetres apart they are."
+    []
     [ "pra-tactile probe --object cube --seed 7 --output frames --truth truth.json",
       "pra-tactile decode --json frames > answer.json",
       "pra-tactile compare answer.json truth.json"
     ]
     ( run
-        <$> placementChoice "The same from a database that 'objects --write' made"
+        <$> placementChoice "Take them from a database that 'objects --write' made"
         <*> pathArgument (metavar "ANSWER" <> help "A file with one answer of 'decode --json'")
         <*> pathArgument
           ( metavar "TRUTH"
-              <> help "The file that 'probe --truth' wrote; the two may be exchanged"
+              <> help "The file that 'probe --truth' wrote; the two files may be exchanged"
           )
         <*> jsonSwitch "Print the comparison as JSON"
     )
@@ -69,14 +71,14 @@ run choice answerFile truthFile form = do
     (encodeComparison larger truth claim verdict poses)
   pure (either (const NotAnswered) (const Answered) verdict)
 
--- | How far the pose is off, where it is told.
+-- | How far the pose is off, if there is one.
 poseText :: Maybe (Double, Double) -> [String]
 poseText poses =
   [ printf "the pose is off by %.2f mm there and by %.2f degrees" far angle
     | Just (far, angle) <- [poses]
   ]
 
--- | With its distances so many times as long.
+-- | A verdict with its distances multiplied by a factor.
 farther :: Double -> Either (Maybe Difference) Double -> Either (Maybe Difference) Double
 farther k verdict = case verdict of
   Right far -> Right (k * far)
@@ -118,7 +120,7 @@ comparison larger truth claim =
     region = truthRegion truth
     faceWords face = objectText (faceObject face) ++ ", face " ++ faceText (faceName face)
 
--- | How a face lies: by its angle, where that is told and is not nearly the quarter turn.
+-- | How a face lies: by its angle, if that is known and differs from the quarter turn.
 turnWords :: Symmetry -> Maybe Double -> String
 turnWords symmetry angle = case angle of
   Just degrees

@@ -38,14 +38,16 @@ import Progress
 import System.FilePath (takeBaseName)
 import Visible
 
-command :: Mod CommandFields (IO ExitStatus)
+command :: Subcommand
 command =
   subcommand
     "conform"
-    "Hold an implementation in any language against the laws: start COMMAND, ask it over JSON \
-    \lines, and tell where it is wrong, by the smallest case (the protocol: \
-    \docs/reference/protocol.md). Exit status 0: certified, or all of the chosen laws held; 1: a \
-    \law failed, or COMMAND erred, hung or crashed; 2: it cannot be started or never answers."
+    "Test an implementation in any language by laws"
+    "Test an implementation in any language against the laws. COMMAND is started and asked over \
+    \JSON lines; the smallest case in which it is wrong is reported. docs/reference/protocol.md \
+    \has the protocol. Exit status 0: certified, or all chosen laws held; 1: a law failed, or \
+    \COMMAND erred, hung or crashed; 2: COMMAND cannot be started or never answers."
+    []
     [ "pra-tactile conform --stage field -- pra-tactile serve",
       "pra-tactile conform --run 'array/*' --cases 20 --json -- pra-tactile serve",
       "pra-tactile conform --stage touch --cases 5 -- pra-tactile serve",
@@ -61,8 +63,8 @@ run options = do
   case (listed options, commandGiven options) of
     (True, []) ->
       Answered <$ printAs (form options) (listText settings suite) (listJson settings suite)
-    (True, _) -> misused "--list runs no command; leave it out"
-    (False, []) -> misused "name the command to put under the suite, as in: conform -- ./decoder"
+    (True, _) -> misused "--list runs no command; leave the command out"
+    (False, []) -> misused "name the command to test, as in: conform -- ./decoder"
     (False, program : arguments) -> do
       for_ (junit options) orUnwritable
       for_ (badge options) orUnwritable
@@ -75,12 +77,12 @@ chosenProfiles files = case files of
   [] -> pure defaultProfiles
   _ -> traverse (\file -> (,) (name file) <$> readProfile file) files
   where
-    -- What a script hands over as a descriptor has no name.
+    -- A file descriptor has no name of its own.
     name file
       | "/dev/" `isPrefixOf` file = "profile"
       | otherwise = visibleName (takeBaseName file)
 
--- | Run the suite, or the case of a token, on as many processes as are to be.
+-- | Run the suite, or the case of a token, on the chosen number of processes.
 conformed :: Options -> Settings -> Suite Known -> Command -> IO Report
 conformed options settings suite subject = do
   end <- (+ wholeLimit options) <$> getMonotonicTime
@@ -103,7 +105,7 @@ conformed options settings suite subject = do
       (Just token, one : _) -> replayed chosen suite token one
       _ -> whole chosen suite started
 
--- | Why there is nothing to be asked.
+-- | The complaint about a subject that does not start.
 notStarted :: Command -> Fault -> String
 notStarted subject fault = case faultKind fault of
   CannotStart -> "cannot start " ++ name ++ ": " ++ faultDetail fault
@@ -117,7 +119,7 @@ notStarted subject fault = case faultKind fault of
   where
     name = visibleName (commandProgram subject)
 
--- | Try all that was chosen.
+-- | Try all chosen laws.
 whole :: Settings -> Suite Known -> [Subject] -> IO Report
 whole settings suite started =
   withProgress (unevenly total "cases") $ \bar -> do
@@ -136,7 +138,7 @@ replayed settings suite token subject = do
     Just (Left why) -> unusable (formatMessage "the token's case" "a case of its law" why)
     Just (Right report) -> pure report
 
--- | Print the report, and say by the status what it comes to.
+-- | Print the report; the status says whether the subject is certified.
 told :: Options -> Report -> IO ExitStatus
 told options report = do
   printAs (form options) (concatMap shown (lines (reportText again report))) (encodeReport report)

@@ -35,23 +35,29 @@ data Options = Options
     paths :: [FilePath]
   }
 
-command :: Mod CommandFields (IO ExitStatus)
+command :: Subcommand
 command =
   subcommand
     "convert"
-    "Write images, movies and folders of frames, in any form that is read, as a new folder of PGM \
-    \files with a manifest.json."
+    "Write images, movies or frames as PGM files"
+    "Read images, movies and folders of frames in any known form, and write them as a new folder \
+    \of PGM files with a manifest.json."
+    []
     ["pra-tactile convert data/worked-example/frames --output frames"]
     ( run
         <$> ( Options
                 <$> taxelOption
-                  "The distance between neighbouring taxels (default: as the files say, or 1.5875)"
+                  "Distance between neighbouring taxels (default: as the files state, or 1.5875)"
                 <*> fullScaleOption
-                <*> posesOption "Where the frames were pressed, all of them in their order"
+                <*> posesOption "Where all frames were pressed, in their order"
                 <*> folderOption "output" "A folder that is new or empty"
                 <*> some
                   ( pathArgument
-                      (metavar "IN..." <> action "file" <> help "Images, movies, folders of frames")
+                      ( metavar "IN..." <> action "file"
+                          <> help
+                            "Images, movies or folders of \
+                            \frames"
+                      )
                   )
             )
     )
@@ -75,9 +81,10 @@ run options = do
     "there are " ++ show (length entries) ++ " poses and " ++ show count ++ " frames"
   when (isNothing chosen && several spacings) . unusable $
     "taxels are " ++ intercalate " and " (map (printf "%.4g") spacings)
-      ++ " mm apart; say by --taxel which it is"
+      ++ " mm apart; state the distance by --taxel"
   when (several axes) (unusable "the manifests say different axes; convert one folder at a time")
-  -- What is asked of all frames is known before the first is made, so that none is kept.
+  -- Everything about all frames is known before the first is made, so that frames need not be kept
+  -- in memory.
   images <- length sizes `seq` for felt (asPgm (fullScale options))
   let taken =
         (listing [entry {entryFile = name} | (name, entry) <- zip names entries])
@@ -105,8 +112,8 @@ run options = do
       0 -> ""
       n -> "; " ++ show n ++ " " ++ what
 
--- | A frame as a binary PGM file, and how many of its taxels have no reading, and of its readings
--- are above full scale. Readings stay as they are where PGM has room for them and full scale is the
+-- | A frame as a binary PGM file, the number of its taxels without a reading, and the number of its
+-- readings above full scale. Readings are kept exactly if they fit into PGM and full scale is the
 -- file's own.
 asPgm :: Maybe Double -> (Felt, Images) -> IO (ByteString, Int, Int)
 asPgm full (felt, images) = do

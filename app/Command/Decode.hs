@@ -3,6 +3,7 @@ module Command.Decode
   ( command,
     ToleranceChoice (..),
     toleranceOptions,
+    toleranceGroup,
     toleranceComplaint,
   )
 where
@@ -60,28 +61,30 @@ data Options = Options
     paths :: [FilePath]
   }
 
--- | What the sources show.
+-- | How several sources belong together.
 data Sharing
   = EachItsOwn
   | -- | one face, in the robot's coordinates
     OneFace
   deriving stock (Eq)
 
-command :: Mod CommandFields (IO ExitStatus)
+command :: Subcommand
 command =
   subcommand
     "decode"
-    "Recognise object, face and place from tactile images: PGM files that are whole composites, \
-    \folders of frames with their manifest, or frames of such a folder. What was not recognised \
-    \is made up for, and what was recognised wrongly is corrected, as far as the array vouches \
-    \for it."
+    "Recognise object, face and place from tactile images"
+    "Find the object, the face and the place on it that tactile images show. A source is an image \
+    \of a whole region, a folder of frames with their manifest, or frames of such a folder. \
+    \Symbols that were not recognised are filled in, and wrong ones are corrected, as far as the \
+    \array guarantees it."
+    [framesGroup, objectsGroup, toleranceGroup, arrayGroup]
     [ "pra-tactile decode data/worked-example/composite.pgm",
       "pra-tactile decode --json frames",
       "pra-tactile decode frames --picture recognised.svg",
-      "pra-tactile decode --object sheet frames",
-      "pra-tactile decode --together left.pgm right.pgm --at 0,0 --at 76.2,0"
+      "pra-tactile decode --sheet frames",
+      "pra-tactile decode --together left.pgm right.pgm --origin 0,0 --origin 76.2,0"
     ]
-    (run <$> arrayChoice <*> optionsParser)
+    (run <$> optionsParser <*> arrayChoice)
 
 optionsParser :: Parser Options
 optionsParser =
@@ -92,39 +95,40 @@ optionsParser =
     <*> readerChoice
     <*> plateOr
       ( placementChoice
-          "The same from a database that 'objects --write' made, in which the position is looked up"
+          "Look the position up in a database that 'objects --write' made"
       )
-    <*> optionalFile
-      "picture"
-      "FILE.svg"
-      "Draw what was felt with the symbols over it, and where on the face that is (one source \
-      \only); - is the standard output, in place of the answer"
+    <*> pictureOption
+      []
+      "Draw what was felt, with the symbols over it, and where it lies on the face; for one \
+      \source. - is the standard output, in place of the answer"
     <*> toleranceOptions foreignOption
     <*> flag
       EachItsOwn
       OneFace
       ( long "together"
           <> help
-            "All sources show one face, in the robot's coordinates: give one answer from all of \
-            \them"
+            "All sources show one face, in the robot's coordinates; give one answer for them \
+            \together"
       )
     <*> many placeOption
     <*> optionalFile
       "plane"
       "FILE"
-      "Where the robot's frame is in the world, as JSON: the pose is then the object's there"
-    <*> jsonSwitch "Print one JSON answer a line"
+      "Where the robot's coordinates lie in the world, a file of JSON; the pose is then that in \
+      \the world"
+    <*> jsonSwitch "Print each answer as a line of JSON"
     <*> framesArgument
 
--- | @--at@.
+-- | @--origin@.
 placeOption :: Parser (Double, Double)
 placeOption =
-  valued
-    millimetres
-    "at"
-    "X,Y"
-    "With --together: where the upper left pixel of a whole image is, in millimetres; once for \
-    \each whole image, in order"
+  orAlias "at" millimetres mempty $
+    valued
+      millimetres
+      "origin"
+      "X,Y"
+      "With --together: where the upper left pixel of a whole image is in the robot's \
+      \coordinates, in mm; once for each whole image, in order"
   where
     millimetres = do
       (x, y) <- pairReader ',' "76.2,0"
@@ -140,7 +144,12 @@ data ToleranceChoice = ToleranceChoice
     slipGiven :: Bool
   }
 
--- | The same as options, given how the prior of foreign things is told.
+-- | The options that say how much doubt an answer may have, as a group of a command's help.
+toleranceGroup :: Group
+toleranceGroup =
+  Group "How certain an answer must be" (words "doubt radius foreign axes-doubt slip")
+
+-- | The tolerance as options, given the option for the prior of foreign things.
 toleranceOptions :: Parser Double -> Parser ToleranceChoice
 toleranceOptions foreignThings =
   choice
@@ -149,26 +158,26 @@ toleranceOptions foreignThings =
       decimalReader
       "doubt"
       "P"
-      "The probability of a wrong answer that is tolerated"
+      "Largest tolerated probability that the answer is wrong"
     <*> radiusOption
-      "Let up to N recognised symbols contradict the answer (default: as many as the recognised \
-      \ones guarantee to be corrected)"
+      "Answer although up to N recognised symbols disagree (default: as many as the recognised \
+      \symbols guarantee to correct)"
     <*> foreignThings
     <*> optional
       ( valued
           decimalReader
           "axes-doubt"
           "P"
-          "The probability beforehand that the robot's axes are others (default: 0.01, or 0.0025 \
-          \where manifest or --axes state them)"
+          "Prior probability that the robot's axes are others (default: 0.01, or 0.0025 if the \
+          \manifest or --axes states them)"
       )
     <*> usually
       usualSlip
       decimalReader
       "slip"
       "P"
-      "The probability beforehand that frames of a folder slipped by a whole cell beyond a line, \
-      \and that another folder did"
+      "Prior probability that the frames beyond a line slipped by a whole cell, and that another \
+      \folder did"
   where
     usualSlip = slipPrior standardTolerance
     choice doubt wrong others axes slip =
@@ -176,7 +185,7 @@ toleranceOptions foreignThings =
         (Tolerance doubt wrong others axes (fromMaybe usualSlip slip))
         (isJust slip)
 
--- | @--foreign@: the prior of it.
+-- | @--foreign@: the prior of foreign things.
 foreignOption :: Parser Double
 foreignOption =
   defaulting
@@ -184,28 +193,31 @@ foreignOption =
     decimalReader
     "foreign"
     "P"
-    "The probability beforehand that what was touched is not of this array, though its symbols are \
-    \of the same shapes; the doubt weighs it"
+    "Prior probability that what was touched is not of this array, though its symbols have the \
+    \same shapes"
 
--- | What is wrong with a choice of these.
+-- | The complaint about a tolerance with an impossible value.
 toleranceComplaint :: ToleranceChoice -> Maybe String
 toleranceComplaint choice
-  | not (isShare (toleratedDoubt given)) = Just "--doubt is a probability below 1"
-  | not (isShare (foreignPrior given)) = Just "--foreign is a probability below 1"
-  | not (all isShare (axesPrior given)) = Just "--axes-doubt is a probability below 1"
-  | not (isShare (slipPrior given)) = Just "--slip is a probability below 1"
+  | not (isShare (toleratedDoubt given)) = Just "--doubt must be a probability from 0 to below 1"
+  | not (isShare (foreignPrior given)) = Just "--foreign must be a probability from 0 to below 1"
+  | not (all isShare (axesPrior given)) =
+    Just
+      "--axes-doubt must be a probability from 0 to below \
+      \1"
+  | not (isShare (slipPrior given)) = Just "--slip must be a probability from 0 to below 1"
   | otherwise = Nothing
   where
     given = tolerated choice
     isShare p = p >= 0 && p < 1
 
-run :: ArrayChoice -> Options -> IO ExitStatus
-run choice options
+run :: Options -> ArrayChoice -> IO ExitStatus
+run options choice
   | Just complaint <- toleranceComplaint (tolerance options) = misused complaint
   | picture options == Just standardOutput && form options == AsJson =
     misused "--picture - and --json both take the standard output; name a file for the picture"
   | form options == AsText && isJust (plane options) =
-    misused "--plane places the pose in the world, which --json alone tells; give --json as well"
+    misused "--plane changes the pose, which only --json prints; give --json as well"
   | otherwise = do
     for_ (picture options) orNotSvg
     found <- chosenSources (frames options) (paths options)
@@ -213,7 +225,8 @@ run choice options
     world <- traverse readPlane (plane options)
     withNear choice (objects options) (decodeAll world options found)
 
--- | Decode the sources by a profile, a placement, and what reads the objects that lie somewhere.
+-- | Decode the sources by a profile, a placement, and an action that reads the objects near given
+-- cells.
 decodeAll ::
   Maybe RigidMotion ->
   Options ->
@@ -230,7 +243,7 @@ decodeAll world options found profile layout near = do
   let several = not (null (drop 1 found))
   when
     (several && picture options /= Nothing)
-    (misused "--picture draws one composite; give one source")
+    (misused "--picture draws one source only; give one source")
   known <- preparation (frames options)
   composites <-
     loadSources (readerTables symbols) larger known (stitchingOf (stitching options)) found
@@ -244,12 +257,12 @@ decodeAll world options found profile layout near = do
           when (several && form options == AsText) (putStrLn (visibleName path ++ ":"))
           decoder [path] [composite]
 
--- | Refuses options that say nothing of what these sources are.
+-- | Refuses options that do not apply to these sources.
 heeded :: Options -> [SourcePath] -> IO ()
 heeded options found = do
   when (onlyImages found) $
     leaveOut
-      "whole images are not put together of frames"
+      "whole images have no frames"
       ( ofFrames (stitching options) (frames options)
           ++ [ ("--axes-doubt", isJust (axesPrior (tolerated (tolerance options)))),
                ("--slip", slipGiven (tolerance options) && not (among found))
@@ -257,15 +270,15 @@ heeded options found = do
       )
   when (asTheyAre (stitching options)) $
     leaveOut
-      "--no-stitching takes the positions as they are"
-      [given | given@("--noise", _) <- ofRegistration (stitching options)]
+      "--no-stitching uses the nominal positions"
+      [given | given@("--frame-noise", _) <- ofRegistration (stitching options)]
   unless (null (places options) || sharing options == OneFace) $
-    misused "--at is for whole images that are decoded --together"
+    misused "--origin is for whole images that are decoded --together"
   where
-    -- Of several sources another one may have slipped.
+    -- If there are several sources, a whole source may have slipped.
     among sources = sharing options == OneFace && not (null (drop 1 sources))
 
--- | How composites of one face, given their names, are decoded and the answer is printed.
+-- | The action that decodes composites of one face, given their names, and prints the answer.
 decoderOn ::
   Profile ->
   Placement ->
@@ -281,14 +294,15 @@ decoderOn profile layout symbols near world options = do
           <$> recogniser (ArrayOn on array) mask layout symbols
   orUnusable recogniserMessage =<< orUnusable profileMessage (withProfile profile made)
 
--- | The composites, whole images at the places given for them; frames know their own.
+-- | The composites, with whole images moved to the places given by @--origin@; frames know their
+-- own places.
 placed :: [(Double, Double)] -> [(SourcePath, Composite)] -> IO [Composite]
 placed given found
   | wholeImages == length given = pure (go given found)
   | otherwise =
     misused
       ( show wholeImages
-          ++ " whole images are decoded together, and --at is given "
+          ++ " whole images are decoded together, but --origin is given "
           ++ show (length given)
           ++ " times; give it once for each, in order"
       )
@@ -298,7 +312,7 @@ placed given found
       composite {compositeOrigin = at `plus` compositeOrigin composite} : go others rest
     go ats ((_, composite) : rest) = composite : go ats rest
     go _ [] = []
-    -- Of an image that was brought to another pitch the origin is beside its pixel.
+    -- The origin of a resampled image is not the centre of its first pixel.
     plus (x, y) (dx, dy) = (x + dx, y + dy)
 
 -- | Decode composites of one face: draw the picture, print the answer.
@@ -315,8 +329,8 @@ decodeWith ::
   IO ExitStatus
 decodeWith profile array near world options bare from composites = do
   seen <- orUnusable networkMessage (readFace (recogniserReader bare) composites)
-  -- Where it is on the array is known without the objects; of a database those that lie there are
-  -- read then.
+  -- The position on the array is found without the objects. Then those that lie there are read from
+  -- a database.
   objects' <- near (cellsShown tolerating bare seen)
   let reader = maybe bare (\there -> bare {recogniserPlacement = there}) objects'
   recognition <-

@@ -31,7 +31,7 @@ import Setup
 import SvgFile
 import Visible
 
--- | What is drawn.
+-- | The kind of picture.
 data Subject = OneSolid | WholeSheet | Layings | Encoded
   deriving stock (Eq, Show)
 
@@ -45,33 +45,34 @@ data Options = Options
     output :: FilePath
   }
 
-command :: Mod CommandFields (IO ExitStatus)
+command :: Subcommand
 command =
   subcommand
     "draw"
-    "Draw as SVG: 'solid', an object with its vertices' names; 'sheet', the array in its symbols; \
-    \'placement', the faces of objects on the array; 'encoded', an object with its symbols, in \
-    \perspective. Hidden parts are hidden."
+    "Draw a solid, the array, a placement or an object"
+    "Draw an SVG picture: 'solid', an object with its vertices' names; 'sheet', the array in its \
+    \symbols; 'placement', the faces of objects on the array; or 'encoded', an object with its \
+    \symbols, in perspective. Hidden parts of objects are hidden."
+    [readingGroup, arrayGroup]
     [ "pra-tactile draw solid --output cube.svg",
       "pra-tactile draw solid --object l:200x100x200 --from=-40,30 --output l.svg",
       "pra-tactile draw placement --output placement.svg",
       "pra-tactile draw encoded --object parallelepiped --output encoded.svg"
     ]
     ( run
-        <$> arrayChoice
-        <*> ( Options
+        <$> ( Options
                 <$> argument
                   (namedReader "subject" subjects)
                   ( metavar "solid|sheet|placement|encoded" <> completeWith (map fst subjects)
-                      <> help "What is drawn"
+                      <> help "What to draw"
                   )
                 <*> optional
                   ( valued
                       str
                       "object"
                       "NAME"
-                      "The object of the placement (default: the first one); 'solid' also takes a \
-                      \file or a name, as the command 'solid' does"
+                      "The object of the placement (default: the first one); for 'solid' also a \
+                      \file or a name, as the command 'solid' takes it"
                   )
                 <*> readingOptions
                 <*> optional
@@ -79,28 +80,31 @@ command =
                       (pairReader ',' "30,25")
                       "from"
                       "AZIMUTH,ELEVATION"
-                      "From where an object is seen, degrees: 0,0 is from the front, 90,0 from the \
-                      \right, 0,90 from above (default 30,25)"
+                      "From where an object is seen, in degrees: 0,0 is from the front, 90,0 from \
+                      \the right, 0,90 from above (default: 30,25)"
                   )
-                <*> placementChoice "The same from a database that 'objects --write' made"
+                <*> placementChoice "Take them from a database that 'objects --write' made"
                 <*> shapesOption
-                <*> fileOption "output" "FILE" "The SVG file"
+                <*> fileOption "output" "FILE" "Write the picture to this file, as SVG"
             )
+        <*> arrayChoice
     )
   where
     subjects =
       [("solid", OneSolid), ("sheet", WholeSheet), ("placement", Layings), ("encoded", Encoded)]
 
-run :: ArrayChoice -> Options -> IO ExitStatus
-run choice options = do
+run :: Options -> ArrayChoice -> IO ExitStatus
+run options choice = do
   when (subject options `elem` [WholeSheet, Layings] && isJust (object options)) $
     misused "--object is for 'solid' and 'encoded'"
   when (subject options `elem` [WholeSheet, Layings] && isJust (from options)) $
     misused "--from is for 'solid' and 'encoded'"
   when (subject options == OneSolid) $
-    leaveOut "a solid is drawn without its symbols" [("--shapes", isJust (shapesFile options))]
+    leaveOut "'solid' is drawn without symbols" [("--shapes", isJust (shapesFile options))]
   when (reading options /= asUsual && (subject options /= OneSolid || isNothing (object options))) $
-    misused "--scale, --tolerance, --keep-triangles and --format are for 'solid' with an --object"
+    misused
+      "--scale, --tolerance, --fix-orientation, --keep-triangles and --format are for \
+      \'solid' with an --object"
   orNotSvg (output options)
   orUnwritable (output options)
   (profile, layout) <- chosenPlacement choice (objects options)
@@ -146,8 +150,8 @@ drawing options profile layout = case subject options of
         | otherwise ->
           misused
             ( "the placement has an object " ++ quoted name
-                ++ ", and --scale, --tolerance, --fix-orientation, --keep-triangles and --format \
-                   \are for files"
+                ++ "; --scale, --tolerance, --fix-orientation, --keep-triangles and --format are \
+                   \for files"
             )
       Nothing -> namedSolid (Just (profileShape profile)) canonicalPitch (reading options) name
     symbolsOf = do

@@ -1,4 +1,4 @@
--- | @pra-tactile emboss@: objects with their symbols raised, as files for those who make them.
+-- | @pra-tactile emboss@: objects with their symbols raised, as files for a printer or a cutter.
 module Command.Emboss
   ( command,
   )
@@ -39,17 +39,19 @@ data Options = Options
     form :: AnswerForm
   }
 
--- | What files are.
+-- | The kind of the files.
 data Making
   = Surface SurfaceFormat
   | Drawn
 
-command :: Mod CommandFields (IO ExitStatus)
+command :: Subcommand
 command =
   subcommand
     "emboss"
-    "Write the objects with their symbols raised, as closed surfaces of triangles for a printer; \
-    \or one face as a plate; or faces at true scale, as drawings."
+    "Write objects with raised symbols, for a printer"
+    "Write objects with their symbols raised, as closed surfaces of triangles for a printer. Or \
+    \write one face as a plate, or faces at true scale as drawings."
+    []
     [ "pra-tactile emboss --object cube --output cube.stl",
       "pra-tactile emboss --object cube --face 'C1 C2 C3 C4' --thickness 5 --output top.stl",
       "pra-tactile emboss --object cube --output cube.3mf",
@@ -60,13 +62,13 @@ command =
     ]
     ( run
         <$> ( Options
-                <$> placementChoice "The same from a database that 'objects --write' made"
+                <$> placementChoice "Take them from a database that 'objects --write' made"
                 <*> optional ((,) <$> objectOption <*> optional plateOptions)
                 <*> optional netOptions
                 <*> shapesOption
                 <*> optional formatOption
                 <*> outputOption
-                <*> jsonSwitch "Print what was made as JSON"
+                <*> jsonSwitch "Print as JSON what was written"
             )
     )
 
@@ -77,7 +79,7 @@ objectOption =
       str
       "object"
       "NAME"
-      "The object (default: all of them, each a file of its own in a folder)"
+      "The object (default: all objects, each in a file of its own in a folder)"
 
 -- | The net, and the pages' size if it is cut into pages.
 netOptions :: Parser (Maybe (Double, Double))
@@ -86,15 +88,15 @@ netOptions =
     ()
     ( long "net"
         <> help
-          "Draw each object unfolded, without overlap and at true scale, each face with its \
-          \symbols, with tabs to glue (SVG)"
+          "Draw each object unfolded, as SVG at true scale: faces with their symbols, without \
+          \overlap, with tabs to glue"
     )
     *> optional
       ( option
           (pairReader 'x' "210x297")
           ( long "page"
-              <> metavar "WIDTHxHEIGHT"
-              <> help "Cut the net into pages of this size, millimetres, each a file in a folder"
+              <> metavar "MMxMM"
+              <> help "Cut the net into pages of this width and height, each a file in a folder"
           )
       )
 
@@ -104,7 +106,7 @@ plateOptions = (,) <$> faceOption <*> optional thicknessOption
 faceOption :: Parser FaceName
 faceOption =
   readFaceName . map (\c -> if c == ',' then ' ' else c)
-    <$> valued str "face" "VERTICES" "One face of it alone, as in 'C1 C2 C3 C4', as a plate"
+    <$> valued str "face" "VERTICES" "Write only this face, as a plate; as in 'C1 C2 C3 C4'"
 
 thicknessOption :: Parser Rational
 thicknessOption =
@@ -112,7 +114,7 @@ thicknessOption =
     (positiveReader "a thickness")
     "thickness"
     "MM"
-    "How thick the plate is (default: twice as thick as its symbols are high)"
+    "Thickness of the plate (default: twice the height of its symbols)"
 
 formatOption :: Parser Making
 formatOption =
@@ -121,17 +123,19 @@ formatOption =
     (map (fmap fst) makings)
     "format"
     "FORMAT"
-    "Binary STL, ASCII STL, OBJ, 3MF, exact JSON, or SVG, a drawing of each face (default: what \
-    \the end of the file's name says; stl where it has none)"
+    ( intercalate ", " (map fst makings)
+        ++ ": the form of the files; svg is a drawing of each face (default: the ending of the \
+           \file's name, or stl)"
+    )
     mempty
 
--- | What can be made, by its name, and the ending of its files' names.
+-- | The kinds of files by their names, with the endings of file names.
 makings :: [(String, (Making, String))]
 makings =
   [(surfaceName it, (Surface it, surfaceEnding it)) | it <- surfaceFormats]
     ++ [("svg", (Drawn, ".svg"))]
 
--- | The endings of all files that are made, each once.
+-- | All endings of file names, each once.
 endings :: [String]
 endings = nub (map (snd . snd) makings)
 
@@ -141,8 +145,8 @@ outputOption =
     pathReader
     "output"
     "FILE|FOLDER"
-    "The file of an object or of a face; where several files come, of all objects or of the \
-    \drawings of an object's faces, a folder that is new or empty"
+    "The file of an object or of a face. For several files, those of all objects or of an object's \
+    \faces, a folder that is new or empty"
 
 run :: Options -> IO ExitStatus
 run options = do
@@ -179,7 +183,7 @@ run options = do
       writeFolder
         (output options)
         [(madeFile told, Lazy.toStrict bytes) | (told, bytes) <- files]
-  -- What stands on the standard output is the file alone.
+  -- If the file goes to the standard output, nothing else does.
   unless (oneFile && output options == "-") $ do
     let placed name = if oneFile then output options else output options </> name
         told = [made {madeFile = placed (madeFile made)} | (made, _) <- files]
@@ -198,8 +202,8 @@ run options = do
         Right [laid | laid <- laidFaces layout, faceObject (laidFace laid) == named]
       Just (named, Just (face, _)) -> (: []) <$> findFace layout named face
 
--- | What is made: a net is a drawing; else what @--format@ says, or the ending of the file's name,
--- or STL.
+-- | The kind of the files: a drawing for a net; else that of @--format@, of the ending of the
+-- file's name, or STL.
 kindOf :: Options -> IO Making
 kindOf options = case (asNet options, format options) of
   (Just _, given)
@@ -217,22 +221,22 @@ kindOf options = case (asNet options, format options) of
     none =
       visibleName (output options) ++ " ends in none of "
         ++ intercalate ", " endings
-        ++ ", which are what emboss writes"
+        ++ ", the forms that emboss writes"
 
--- | Whether one file is made, and not a folder of some.
+-- | Whether one file is written, and not a folder of files.
 isOneFile :: Options -> Making -> Bool
 isOneFile options kind = case asked options of
   Nothing -> False
   Just (_, Nothing) -> not (drawn kind) || asNet options == Just Nothing
   Just (_, Just _) -> True
 
--- | Leaves with status 2 where a file's name ends as those of another format do, or a folder's as a
--- file's.
+-- | Leaves with status 2 if a file's name has the ending of another format, or a folder's name that
+-- of a file.
 orMisnamed :: Bool -> Making -> FilePath -> IO ()
 orMisnamed oneFile kind name
   | oneFile =
     unless (null ending || ending == own) . misused $
-      visibleName name ++ " does not end in " ++ own ++ ", which is the format that is written"
+      visibleName name ++ " does not end in " ++ own ++ ", the form that is written"
   | otherwise =
     when (ending `elem` endings) . misused $
       visibleName name
@@ -244,7 +248,7 @@ orMisnamed oneFile kind name
       Surface format' -> surfaceEnding format'
       Drawn -> ".svg"
 
--- | From the last dot of a name on.
+-- | The ending of a name, from its last dot on, in lower case.
 endingOf :: FilePath -> String
 endingOf = map toLower . takeExtension
 

@@ -8,7 +8,12 @@ module Command.Evaluate
 where
 
 import ArrayChoice
-import Command.Decode (ToleranceChoice (..), toleranceComplaint, toleranceOptions)
+import Command.Decode
+  ( ToleranceChoice (..),
+    toleranceComplaint,
+    toleranceGroup,
+    toleranceOptions,
+  )
 import Control.Monad (foldM, void, when)
 import Control.Parallel.Strategies (parBuffer, rseq, withStrategy)
 import Data.Aeson ((.=))
@@ -73,88 +78,95 @@ data Options = Options
     form :: AnswerForm
   }
 
-command :: Mod CommandFields (IO ExitStatus)
+command :: Subcommand
 command =
   subcommand
     "evaluate"
-    "Simulate presses at random places on the faces in turn, and count how many are decoded \
-    \right, wrong or refused, with stitching and without."
+    "Count right and wrong answers over simulated presses"
+    "Press the simulated sensor at random places, on the faces in turn, and decode each press with \
+    \stitching and without. Count how many answers are right, wrong or refused."
+    [sensorGroup, objectsGroup, toleranceGroup, arrayGroup]
     [ "pra-tactile evaluate --presses 12 --seed 1",
       "pra-tactile evaluate --presses 12 --seed 1 --noise 0.3 --doubt 0.0001",
       "pra-tactile evaluate --presses 12 --seed 1 --sensor real",
       "pra-tactile evaluate --presses 12 --seed 1 --sensor real --tilt 5",
-      "pra-tactile evaluate --presses 12 --seed 1 --foreign 0.5",
+      "pra-tactile evaluate --presses 12 --seed 1 --foreign-presses 0.5",
       "pra-tactile evaluate --presses 12 --seed 1 --foreign-arrays 0.5",
       "pra-tactile evaluate --presses 12 --seed 1 --position-error 2 --any-angle --untold",
       "pra-tactile evaluate --presses 12 --seed 1 --bend 100 --bend-axis x",
-      "pra-tactile evaluate --presses 12 --seed 1 --object sheet",
+      "pra-tactile evaluate --presses 12 --seed 1 --sheet",
       "pra-tactile evaluate --presses 12 --seed 1 --shard 1/3 --output part1.json"
     ]
-    (run <$> arrayChoice <*> options)
+    (run <$> options <*> arrayChoice)
   where
     options =
       Options
-        <$> defaulting 1000 intReader "presses" "N" "How many regions are explored"
+        <$> defaulting 1000 intReader "presses" "N" "Number of presses; each explores a region"
         <*> seedOption (value 1 <> showDefault)
         <*> sizeOption
         <*> sensorOptions
         <*> turnsOption
         <*> bendOption
         <*> optional
-          ( valued
-              decimalReader
-              "foreign"
-              "SHARE"
-              "The share of presses on what is none of ours: our shapes in an arrangement by \
-              \chance, of which every answer is wrong (default: 0, or that of --foreign-arrays)"
+          ( orAlias "foreign" decimalReader mempty $
+              valued
+                decimalReader
+                "foreign-presses"
+                "SHARE"
+                "Share of the presses on random arrangements of the shapes, where every answer is \
+                \wrong (default: 0, or that of --foreign-arrays)"
           )
         <*> optional
           ( valued
               decimalReader
               "foreign-arrays"
               "SHARE"
-              "Of all presses, the share of those on arrays by other polynomials, a part of \
-              \--foreign (default: 0)"
+              "Share of the presses on arrays by other polynomials; it is a part of \
+              \--foreign-presses (default: 0)"
           )
         <*> switch
-          (long "untold" <> help "Do not tell the decoder the position error; it finds what it is")
+          ( long "untold"
+              <> help
+                "Do not tell the decoder the position error; the decoder \
+                \estimates it"
+          )
         <*> toleranceOptions (pure (foreignPrior standardTolerance))
         <*> readerChoice
-        <*> plateOr (placementChoice "The same from a database that 'objects --write' made")
+        <*> plateOr (placementChoice "Take them from a database that 'objects --write' made")
         <*> shardOption
         <*> optionalFile
           "output"
           "FILE"
-          "Write each press to a file, which 'merge' counts; running it again continues an \
-          \unfinished file"
-        <*> jsonSwitch "Print the counts as JSON; of a shard, with each press, for 'merge'"
+          "Write each press to this file, which 'merge' counts; running the command again \
+          \continues an unfinished file"
+        <*> jsonSwitch "Print the counts as JSON; for a shard also each press, for 'merge'"
 
--- | How the faces lie.
+-- | The options for how the faces lie turned.
 turnsOption :: Parser Turns
 turnsOption =
   flag'
     (AmongTurns rotations)
     ( long "quarter-turns"
-        <> help "The faces lie in any of four ways (default: upright or turned by 180 degrees)"
+        <> help "The faces lie turned by 0, 90, 180 or 270 degrees (default: by 0 or 180)"
     )
     <|> flag' AnyAngle (long "any-angle" <> help "The faces lie turned by any angle")
-    <|> (TurnedBy <$> angleOption "The faces lie turned clockwise by so many degrees")
+    <|> (TurnedBy <$> angleOption "The faces lie turned clockwise by this angle")
     <|> pure (AmongTurns halfTurns)
 
--- | The share of all foreign presses: of those on other arrays alone where no other is stated.
+-- | The share of all foreign presses: that of @--foreign-arrays@ if no other is given.
 allForeign :: Options -> Maybe Double
 allForeign options = foreignPresses options <|> foreignArrayPresses options
 
-run :: ArrayChoice -> Options -> IO ExitStatus
-run choice options
-  | presses options < 1 = misused "--presses is a number from 1 up"
+run :: Options -> ArrayChoice -> IO ExitStatus
+run options choice
+  | presses options < 1 = misused "--presses must be a number, 1 or more"
   | Just complaint <- toleranceComplaint (tolerance options) = misused complaint
   | not (all (\share -> share >= 0 && share <= 1) (foreignPresses options)) =
-    misused "--foreign is a share from 0 to 1"
+    misused "--foreign-presses must be a share from 0 to 1"
   | not (all (>= 0) arrays && all (<= fromMaybe 1 (foreignPresses options)) arrays) =
-    misused "--foreign-arrays is a share from 0 to that of --foreign"
+    misused "--foreign-arrays must be a share from 0 to that of --foreign-presses"
   | any ((> 1000000000) . snd) (shard options) =
-    misused "--shard I/K has at most a billion parts"
+    misused "--shard I/K must have at most a billion parts"
   | otherwise = do
     real <- chosenSensor (sensor options)
     let feltAs scale = feltBySymbols scale real
@@ -222,11 +234,11 @@ run choice options
     fileOf (Reader alphabet _ _ network sure) =
       NetworkFile network (alphabetDigest alphabet) sure Nothing Nothing
 
--- | What is kept of a press: the error of its pose as well, or not.
+-- | Whether the error of a press's pose is kept.
 data Kept = WithPoses | CountsAlone
   deriving stock (Eq)
 
--- | Print or write what comes of the presses of a shard.
+-- | Print or write the results of the presses of a shard.
 delivered :: Options -> (Int, Int) -> Evaluation -> Part -> (Kept -> [Press]) -> IO ()
 delivered options region evaluation part pressesOf = case (output options, shard options) of
   (Just file, _) -> do
@@ -254,9 +266,8 @@ delivered options region evaluation part pressesOf = case (output options, shard
     asked = form options
     told = countsText options region evaluation part
 
--- | What an unfinished file has already: its length up to the last whole press, the presses, and
--- whether they are all; it must begin so. Leaves with status 2, and does not touch it, where it is
--- anything else.
+-- | The contents of an unfinished file: its length up to the last whole press, the presses, and
+-- whether they are complete. Any other file is left alone, with status 2.
 continued :: FilePath -> ByteString -> Evaluation -> Part -> IO (Int, [Press], Bool)
 continued file bytes evaluation part
   | bytes `Bytes.isPrefixOf` begins = pure (0, [], False)
@@ -269,8 +280,8 @@ continued file bytes evaluation part
   where
     begins = beginning evaluation part
 
--- | Write what a shard's file lacks, each press at once and whole, after so many bytes with those
--- that are there; the counts of all of them.
+-- | Write the presses that a shard's file lacks, each at once and whole, after the bytes and
+-- presses that it has; the counts of all presses.
 document :: Evaluation -> Part -> (Int, [Press]) -> [Press] -> Handle -> IO Counts
 document evaluation part (kept, before) others handle = do
   when (kept == 0) (put (beginning evaluation part))
@@ -281,9 +292,9 @@ document evaluation part (kept, before) others handle = do
     line = pressLine evaluation part
     put bytes = Bytes.hPutStr handle bytes >> hFlush handle
 
--- | The counts of presses, those that were made before among them; others are made on all cores as
--- they are needed, and let go once something is done with each and it is counted. Says how far it
--- is where a person looks on.
+-- | The counts of all presses, including those made before. The others are made on all cores as
+-- they are needed. Each is given to the action, counted and dropped from memory. Shows progress on
+-- a terminal.
 pressesCounted :: Evaluation -> Part -> [Press] -> (Press -> IO ()) -> [Press] -> IO Counts
 pressesCounted evaluation part before put others =
   withProgress (doneBefore done (evenly (partSize evaluation part) "presses")) $ \bar ->
@@ -299,14 +310,14 @@ pressesCounted evaluation part before put others =
       counts' `seq` tell bar i
       pure counts'
 
--- | Faces whose symbols, all of them together, do not tell where on the array they are.
+-- | Faces whose position on the array cannot be found even from all their symbols.
 unreadable :: KnownField k => PseudorandomArray k -> [LaidFace] -> [LaidFace]
 unreadable array = filter (either (const False) tooFew . maskFrom . blockCells . laidBlock)
   where
     tooFew mask = windowRank array mask < degreeOf array
     degreeOf = fromIntegral . primitiveDegree . arrayPrimitive
 
--- | What is said of such faces among those that are pressed.
+-- | The warning about unreadable faces among the pressed ones.
 unreadWarning :: Profile -> [LaidFace] -> [LaidFace] -> Maybe String
 unreadWarning profile unread pressed = case unread of
   [] -> Nothing
@@ -342,7 +353,7 @@ evaluationOf profile options simulated =
           }
     }
 
--- | How many presses are meant, and how many of them a shard has.
+-- | The number of presses, and how many of them a shard has.
 pressesText :: Evaluation -> Part -> String
 pressesText evaluation part
   | partOf part == 1 = count ++ " presses"

@@ -40,12 +40,15 @@ data Options = Options
     form :: AnswerForm
   }
 
-command :: Mod CommandFields (IO ExitStatus)
+command :: Subcommand
 command =
   subcommand
     "experiment"
-    "Train networks as the paper does, with noisy images, with clean copies in their place and \
-    \without that stage, and count how many noisy images of other presses they tell wrong."
+    "Repeat the paper's training experiment, with controls"
+    "Train networks as the paper does: with noisy images, with clean copies in their place, and \
+    \without that stage. Count how many noisy images of other presses each network classifies \
+    \wrongly."
+    []
     [ "pra-tactile experiment --training stopped --set bitmap --seeds 1",
       "pra-tactile experiment --training manual --vary weights --set bitmap --seeds 1 --output \
       \experiment"
@@ -58,19 +61,19 @@ command =
           "training"
           (allNamed trainingName)
           "training"
-          "Of stated, stopped, manual and many, parted by commas (default: all)"
+          "Trainings, separated by commas: stated, stopped, manual, many (default: all)"
           [minBound ..]
         <*> named
           "variation"
           (allNamed variationName)
           "vary"
-          "What is changed, one thing at a time: of weights, ranges, least-gradient, formula, \
-          \stages, images and alphabet, parted by commas (default: nothing)"
+          "What is changed, one thing at a time, separated by commas: weights, ranges, \
+          \least-gradient, formula, stages, images, alphabet (default: nothing)"
           []
         <*> imageChoice (value True)
-        <*> defaulting 16 intReader "seeds" "N" "The seeds 1 to N, each for every row"
+        <*> defaulting 16 intReader "seeds" "N" "Run every row with each of the seeds 1 to N"
         <*> optional
-          (folderOption "output" "A new folder for the tables (CSV, JSON) and curves (SVG)")
+          (folderOption "output" "Write tables (CSV, JSON) and curves (SVG) into this new folder")
         <*> jsonSwitch "Print the table as JSON"
     named what choices name text standard =
       option
@@ -79,13 +82,13 @@ command =
             <> help text
         )
 
--- | What is kept of a row with a seed: for each kind of middle stage the counts, and of the first
--- seed the curves of learning, by stage.
+-- | The kept results of a row with one seed: the counts for each kind of middle stage, and for the
+-- first seed the learning curves by stage.
 type Kept = [([[(Int, Int)]], [(Int, [(Double, Double)])])]
 
 run :: AlphabetChoice -> Options -> IO ExitStatus
 run choice options
-  | seeds options < 1 || seeds options > 10000 = misused "--seeds is a number from 1 to 10000"
+  | seeds options < 1 || seeds options > 10000 = misused "--seeds must be a number from 1 to 10000"
   | otherwise = do
     for_ (output options) orTaken
     source <- chosenImages (images options)
@@ -128,7 +131,7 @@ keyOf row =
     alphabetSize (symbolShapes (rowSymbols row))
   )
 
--- | Each row with what is kept of it with each seed; says how far it is where a person looks on.
+-- | Each row with its results for each seed; shows progress on a terminal.
 carriedOut ::
   [Row] -> [((String, Maybe String, Int), Images)] -> [Int] -> IO [(Row, [Kept])]
 carriedOut rows made chosen =
@@ -156,7 +159,7 @@ carriedOut rows made chosen =
       ([], _) -> []
       (here, others) -> here : chunks n others
 
--- | The decimal logarithm of the error after each of some three hundred epochs of a stage.
+-- | The decimal logarithm of the error after about three hundred epochs of a stage.
 curve :: Trace -> [(Double, Double)]
 curve trace =
   [ (fromIntegral (epochNumber e), logBase 10 (max 1e-40 (epochError e)))
@@ -260,7 +263,7 @@ learningCurves table =
     least = minimum (0 : [e | (_, stages) <- plain, (_, points) <- stages, (_, e) <- points])
     bottom = max (-12) (2 * floor (least / 2))
 
--- | Five marks from 0 to a round number that is no less than this one.
+-- | Five marks from 0 to a round number of at least this size.
 quarters :: Double -> [(Double, String)]
 quarters most = [(top * k / 4, hundredths (top * k / 4)) | k <- [0 .. 4]]
   where

@@ -14,23 +14,25 @@ import PraTactile.Field.Structure
 import PraTactile.Format (encodeField)
 import PraTactile.Polynomial (coefficients)
 
-command :: Mod CommandFields (IO ExitStatus)
+command :: Subcommand
 command =
   subcommand
     "field"
-    "Print a field: its modulus, its elements and what each is, and the tables of sums and \
+    "Print a field: its elements and tables"
+    "Print a field: its modulus, its elements with their properties, and the tables of sums and \
     \products."
+    []
     [ "pra-tactile field --q 4",
       "pra-tactile field --q 9 --modulus 1,0,1 --json"
     ]
-    (run <$> fieldChoice <*> jsonSwitch "Print the tables as JSON, codes for elements")
+    (run <$> fieldChoice <*> jsonSwitch "Print the field as JSON, with codes for elements")
 
 run :: FieldChoice -> AnswerForm -> IO ExitStatus
 run choice form = withChosenField choice $ \k -> do
   printAs form (unlines (fieldText k)) (encodeField k)
   pure Answered
 
--- | For people; the tables of two arguments only where they fit a page.
+-- | The field in words; the tables of sums and products only if they fit on a page.
 fieldText :: forall k. KnownField k => Proxy k -> [String]
 fieldText k =
   [ "GF("
@@ -110,7 +112,7 @@ written terms = case [term c i | (i, c) <- reverse (zip [0 :: Int ..] terms), c 
       | otherwise = show c ++ " " ++ variablePower i
     variablePower i = if i == 1 then "x" else "x^" ++ show i
 
--- | Lines of words in columns, to the right.
+-- | Lines of words in columns, flush right.
 aligned :: [[String]] -> [String]
 aligned grid = [unwords (zipWith pad widths line) | line <- grid]
   where

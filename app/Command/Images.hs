@@ -29,7 +29,7 @@ import SensorChoice (readSensor, sensorOption)
 import Setup
 import Visible (visibleName)
 
--- | Which images are meant.
+-- | The options about the images.
 data ImageChoice = ImageChoice
   { imagesPressed :: Bool,
     -- | a preset's name, or a file's
@@ -37,7 +37,7 @@ data ImageChoice = ImageChoice
     imagesAnyAngle :: Bool
   }
 
--- | @--set@, @--sensor@ and @--any-angle@; where nothing is said, presses, or not.
+-- | @--set@, @--sensor@ and @--any-angle@, given the default of @--set@ as a property.
 imageChoice :: Mod OptionFields Bool -> Parser ImageChoice
 imageChoice standard =
   ImageChoice
@@ -46,23 +46,24 @@ imageChoice standard =
       [("bitmap", False), ("press", True)]
       "set"
       "bitmap|press"
-      "The shapes themselves, or what is cut out of pressed and stitched frames, as 'decode' does"
+      "What the images are: the shapes themselves (bitmap), or crops of pressed and stitched \
+      \frames, made as by 'decode' (press)"
       standard
     <*> optional
       ( sensorOption
           "The sensor that presses: ideal, paper, real, hard, or a file as 'sensor --json' prints \
           \it (default: real)"
       )
-    <*> switch (long "any-angle" <> help "The plates that are pressed lie turned by any angle")
+    <*> switch (long "any-angle" <> help "The pressed plates lie turned by any angle")
 
--- | The source of the images; leaves with status 2 where there is no such sensor.
+-- | The source of the images; leaves with status 2 if there is no such sensor.
 chosenImages :: ImageChoice -> IO ImageSource
 chosenImages choice
   | imagesPressed choice = do
     sensor <- readSensor name
     pure (Presses name sensor (if imagesAnyAngle choice then AnyAngle else AmongTurns halfTurns))
   | imagesSensor choice /= Nothing || imagesAnyAngle choice =
-    misused "--sensor and --any-angle are of presses; give --set press"
+    misused "--sensor and --any-angle need --set press"
   | otherwise = pure Bitmaps
   where
     name = fromMaybe (presetName Real) (imagesSensor choice)
@@ -76,13 +77,15 @@ data Options = Options
     output :: FilePath
   }
 
-command :: Mod CommandFields (IO ExitStatus)
+command :: Subcommand
 command =
   subcommand
     "images"
-    "Write 8 x 12 images of symbols with their classes into a new folder, as 16-bit PGM files: a \
+    "Write images of symbols with their classes"
+    "Write 8 x 12 images of symbols with their classes into a new folder, as 16-bit PGM files. A \
     \flat taxel is 0.25 of full scale, an embossed one 0.75."
-    [ "pra-tactile images --set bitmap --count 10 --noise 0.2 --seed 1 --output images",
+    []
+    [ "pra-tactile images --set bitmap --count 10 --image-noise 0.2 --seed 1 --output images",
       "pra-tactile images --set press --sensor hard --count 10 --seed 1 --output pressed"
     ]
     (run <$> alphabetChoice <*> options)
@@ -90,26 +93,40 @@ command =
     options =
       Options
         <$> imageChoice mempty
-        <*> valued intReader "count" "N" "How many images of each class"
-        <*> defaulting 0 decimalReader "noise" "SD" "Standard deviation of white noise on them"
+        <*> valued intReader "count" "N" "Number of images of each class"
+        <*> orAlias
+          "noise"
+          decimalReader
+          mempty
+          ( defaulting
+              0
+              decimalReader
+              "image-noise"
+              "SD"
+              "Standard deviation of the white noise that is added to the images"
+          )
         <*> optional
-          ( valued
-              intReader
-              "foreign"
-              "D"
-              "Draw other shapes in place of the symbols, at least D taxels from each of them \
-              \turned or mirrored: N images in all, of class -1"
+          ( orAlias "foreign" intReader mempty $
+              valued
+                intReader
+                "foreign-shapes"
+                "D"
+                "Draw other shapes in place of the symbols, at least D taxels from each of them, \
+                \also turned or mirrored: N images in all, of class -1"
           )
         <*> seedOption mempty
         <*> folderOption "output" "A folder that is new or empty"
 
 run :: AlphabetChoice -> Options -> IO ExitStatus
 run choice options
-  | count options < 1 || count options > 100000 = misused "--count is a number from 1 to 100000"
+  | count options < 1 || count options > 100000 =
+    misused
+      "--count must be a number from 1 to \
+      \100000"
   | not (noise options >= 0 && noise options <= 100) =
-    misused "--noise is a standard deviation from 0 to 100"
+    misused "--image-noise must be a standard deviation from 0 to 100"
   | any (\d -> d < 0 || d > symbolWidth * symbolHeight) (foreignTo options) =
-    misused "--foreign is a number of taxels from 0 to 96"
+    misused "--foreign-shapes must be a number of taxels from 0 to 96"
   | otherwise = do
     orTaken (output options)
     source <- chosenImages (images options)
@@ -125,7 +142,8 @@ run choice options
     pure Answered
   where
     ours alphabet = pure (symbolsOf alphabet, id, count options)
-    -- Frames are put together by what is known of our symbols, and so many shapes stand for others.
+    -- Frames are stitched by the lattice of the chosen symbols; this many foreign shapes take
+    -- their places.
     others alphabet least = do
       foreign' <- orUnusable shapeMessage (foreignShapes (seed options) least kinds alphabet)
       pure
@@ -134,7 +152,7 @@ run choice options
           (count options + kinds - 1) `div` kinds
         )
     kinds = 16
-    -- An image as it is made, and as a file with its name and its line of labels.
+    -- The memory of an image, of its file with its name, and of its line of labels.
     bytesEach = 1500
     found source (symbols, label, each) = do
       let wantedCount = each * alphabetSize (symbolShapes symbols)

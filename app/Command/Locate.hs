@@ -31,13 +31,13 @@ import System.IO (hFlush, stdout)
 data Options = Options
   { decoder :: Maybe DecoderName,
     radius :: Radius,
-    -- | 'Nothing' as is usual
+    -- | 'Nothing': the default
     doubtGiven :: Maybe Double,
     foreignThings :: Maybe Double,
     turning :: Turning,
     explained :: Explained,
     form :: AnswerForm,
-    -- | 'Nothing': one a line from the standard input
+    -- | 'Nothing': patches on the standard input, one a line
     source :: Maybe [String]
   }
 
@@ -45,16 +45,18 @@ data Options = Options
 data Explained = Explained | Unexplained
   deriving stock (Eq)
 
-command :: Mod CommandFields (IO ExitStatus)
+command :: Subcommand
 command =
   subcommand
     "locate"
-    "Tell the position of a patch of symbols in the array; rows are parted by '/' or line ends, \
-    \cells by spaces; codes or powers; '?' is a cell that was not observed. Or JSON, in which a \
-    \cell may be the list of the probabilities of all symbols. Several patches of one face are \
-    \parted by ';', each with its displacement from a common point in front, 'ROW,COLUMN:'; the \
-    \position is then that of the upper left cell of the rectangle around all, from which offsets \
-    \count."
+    "Find the position of a patch of symbols in the array"
+    "Find where in the array a patch of symbols lies. Rows are separated by '/' or line ends, \
+    \cells by spaces. A symbol is a code (2) or a power (A^2); '?' is a cell that was not \
+    \observed. In JSON a cell may also be a list of the probabilities of all symbols. Several \
+    \patches of one face are separated by ';'; each has its displacement from a common point in \
+    \front, as in '0,3: 1 1'. The position is then that of the upper left cell of the rectangle \
+    \around all patches, and offsets count from there."
+    [arrayGroup]
     [ "pra-tactile locate '3 2 / 3 1'",
       "pra-tactile locate 'A^2 A / A^2 1' --json",
       "pra-tactile locate '3 2 ? 1 / 3 0 2 1 / 0 1 3 ? / 1 3 2 2' --explain",
@@ -66,28 +68,28 @@ command =
       "pra-tactile locate --orientation turned '1 0 3 3 / 0 1 1 2 / 2 3 2 0 / 2 0 1 1'",
       "pra-tactile locate --batch < patches.txt"
     ]
-    (run <$> arrayChoice <*> surfaceOption <*> optionsParser)
+    (run <$> surfaceOption <*> optionsParser <*> arrayChoice)
 
 optionsParser :: Parser Options
 optionsParser =
   Options
     <$> optional decoderOption
     <*> radiusOption
-      "Correct up to N wrong cells, at the risk of wrong answers (default: as many as the observed \
-      \cells guarantee)"
+      "Correct up to N wrong cells; above the default, answers may be wrong (default: as many as \
+      \the observed cells guarantee)"
     <*> usually
       usualDoubt
       decimalReader
       "doubt"
       "P"
-      "With probabilities or --foreign: the probability of a wrong answer that is tolerated"
+      "With probabilities or --foreign: the largest tolerated probability that the answer is wrong"
     <*> optional
       ( valued
           decimalReader
           "foreign"
           "P"
-          "Weigh that the patch is nothing of the array's, which beforehand has this probability: \
-          \its symbols independent, all equally likely (default: not weighed)"
+          "Prior probability that the patch is not from the array; its symbols are then \
+          \independent and uniform (default: this is not considered)"
       )
     <*> turningOption
     <*> flag
@@ -95,7 +97,7 @@ optionsParser =
       Explained
       ( long "explain"
           <> help
-            "Say what the answer rests on: the cells, their equations, the distance to the next \
+            "Say what the answer is based on: the cells, their equations, the distance to the next \
             \candidate"
       )
     <*> jsonSwitch "Print the answer as JSON"
@@ -103,16 +105,23 @@ optionsParser =
             Nothing
             ( long "batch"
                 <> help
-                  "Read one patch, or several parted by ';', a line from the standard input; print \
-                  \one JSON answer a line"
+                  "Read lines from the standard input, each a patch, or several separated by ';'; \
+                  \print one line of JSON for each"
             )
-            <|> (Just <$> some (strArgument (metavar "PATCH")))
+            <|> ( Just
+                    <$> some
+                      ( strArgument
+                          ( metavar "PATCH"
+                              <> help "The patch, one argument between quotation marks"
+                          )
+                      )
+                )
         )
 
 usualDoubt :: Double
 usualDoubt = 0.001
 
--- | The probability of a wrong answer that is tolerated.
+-- | The largest tolerated probability of a wrong answer.
 doubt :: Options -> Double
 doubt = fromMaybe usualDoubt . doubtGiven
 
@@ -124,8 +133,8 @@ decoderOption =
     [(decoderText name, name) | name <- [TableDecoder, AlgebraDecoder, SearchDecoder]]
     "road"
     "table|algebra|search"
-    "How to find positions at which all observed cells agree (default: correct errors, by \
-    \comparing with every position or, beyond 2^20 cells, by information sets)"
+    "Find the positions at which all observed cells agree, by this method (default: correct \
+    \errors, by comparing with every position, or by information sets beyond 2^20 cells)"
     mempty
 
 turningOption :: Parser Turning
@@ -135,21 +144,23 @@ turningOption =
     (allNamed turningName)
     "orientation"
     "upright|turned|any"
-    "How patches may be seen: by any quarter turn (turned), perhaps also mirrored (any); the \
-    \answer then tells the orientation, clockwise, and says where it cannot"
+    "In which orientations patches may be seen: upright, any quarter turn (turned), or also \
+    \mirrored (any). The answer then has the orientation, clockwise, unless several fit"
     (value Upright <> showDefaultWith turningName)
 
-run :: ArrayChoice -> Maybe Surface -> Options -> IO ExitStatus
-run choice surface options
-  | not (doubt options >= 0 && doubt options < 1) = misused "--doubt is a probability below 1"
+run :: Maybe Surface -> Options -> ArrayChoice -> IO ExitStatus
+run surface options choice
+  | not (doubt options >= 0 && doubt options < 1) =
+    misused
+      "--doubt must be a probability from 0 \
+      \to below 1"
   | any (\p -> not (p >= 0 && p < 1)) (foreignThings options) =
-    misused "--foreign is a probability below 1"
+    misused "--foreign must be a probability from 0 to below 1"
   | Just _ <-
       decoder options,
     UpTo _ <- radius options =
     misused
-      "--road finds positions at which all cells agree; leave it out to correct errors with \
-      \--radius"
+      "--road finds positions at which all cells agree; leave it out to correct errors by --radius"
   | Just words'@(_ : _ : _) <- source options =
     misused
       ("a patch is one argument; write it between quotation marks: '" ++ unwords words' ++ "'")
@@ -166,7 +177,7 @@ run choice surface options
             )
         )
 
--- | The answer to what was read, in words and as JSON.
+-- | The answer to a patch, in words and as JSON.
 data Response = Response
   { -- | Whether some cells were given by probabilities.
     responseLikely :: Bool,
@@ -175,9 +186,9 @@ data Response = Response
     responseReport :: AnswerReport
   }
 
--- | How patches, as they are written, are answered; the answering function refuses in words what is
--- no patch. It is itself refused, before any patch is read, where the array has no locator on this
--- surface. Tables of the array are computed once, when the first patch needs them.
+-- | The function that answers written patches, and refuses in words a text that is no patch. There
+-- is none, whatever the patches, if the array has no locator on this surface. Tables of the array
+-- are computed once, when the first patch needs them.
 responder ::
   KnownField k =>
   Options ->
@@ -218,7 +229,7 @@ responder options profile on@(ArrayOn _ array) mask = do
           queryRadius = radius options,
           queryDoubt = doubt options,
           queryForeign = foreignThings options,
-          -- Of symbols that are told nobody knows how they looked.
+          -- Stated symbols have no images that could look unlike all shapes.
           queryForeignShape = -1 / 0,
           queryPrior = Nothing
         }
@@ -231,11 +242,11 @@ answering profile options respond = case source options of
     if responseLikely response
       then
         leaveOut
-          "probabilities are weighed, and no wrong cells are counted"
+          "for probabilities no wrong cells are counted"
           [("--radius", radius options /= Guaranteed)]
       else
         leaveOut
-          "--doubt is weighed of probabilities, or with --foreign"
+          "--doubt needs probabilities or --foreign"
           [("--doubt", isJust (doubtGiven options) && null (foreignThings options))]
     printAs
       (form options)
@@ -244,7 +255,7 @@ answering profile options respond = case source options of
     when (form options == AsText) (mapM_ warn (weaknesses (responseAnswer response)))
     pure (statusOf response)
 
--- | That random symbols would be located as well, and what nothing checks.
+-- | Warnings: that random symbols would be located, too, and what no parity check covers.
 weaknesses :: Answer -> [String]
 weaknesses answer = case answerOutcome answer of
   Unique _ _ ->
@@ -252,7 +263,7 @@ weaknesses answer = case answerOutcome answer of
       ++ map ("warning: " ++) (foldMap unchecked (answerChecks answer))
   _ -> []
 
--- | One line after another, each answered at once; the worst status of all.
+-- | Answer one line after another, each at once; the status is the worst of all.
 batch :: Profile -> (Text -> Either String Response) -> IO ExitStatus
 batch profile respond = forLines answerLine Answered
   where
@@ -276,7 +287,7 @@ data Turning
     Any
   deriving stock (Eq, Ord, Show, Enum, Bounded)
 
--- | As the command line has it.
+-- | The name of a choice on the command line.
 turningName :: Turning -> String
 turningName how = case how of
   Upright -> "upright"

@@ -32,13 +32,15 @@ import PraTactile.Format.Evaluation (Evaluation (..), MergeError (..), encodeEva
 import qualified PraTactile.Format.Evaluation as Evaluation
 import System.Posix.Files (deviceID, fileID, getFileStatus)
 
-command :: Mod CommandFields (IO ExitStatus)
+command :: Subcommand
 command =
   subcommand
     "merge"
-    "Put the shards of a census or of an evaluation together: the file, or the JSON, that one run \
-    \would have made. They must be of one census or evaluation, complete, undamaged, and have \
-    \nothing in common."
+    "Join the shards of a census or an evaluation"
+    "Join the shards of a census or of an evaluation. The result is the file, or the JSON, that \
+    \one run would have made. Shards must be undamaged and complete, belong to one census or \
+    \evaluation, and have nothing in common."
+    []
     [ "pra-tactile merge part1.csv part2.csv part3.csv --output census.csv",
       "pra-tactile merge part1.json part2.json part3.json"
     ]
@@ -51,19 +53,18 @@ command =
               )
           )
         <*> keepWholeSwitch
-          "Of damaged files of a census, take the rows that are whole; entries that are then \
-          \missing are told"
+          "Take the whole rows of damaged census files; entries that are then missing are reported"
         <*> optionalFile
           "output"
           "FILE"
-          "Write to a file, which is none of the shards, instead of the standard output"
-        <*> jsonSwitch "With --output, tell as JSON what was written"
+          "Write to this file, which is none of the shards, instead of the standard output"
+        <*> jsonSwitch "With --output, report as JSON what was written"
     )
 
 run :: [FilePath] -> Damage -> Maybe FilePath -> AnswerForm -> IO ExitStatus
 run files damage output form = do
   unless (isJust output) $
-    leaveOut "what is merged is printed, and nothing is told of it" [("--json", form == AsJson)]
+    leaveOut "without --output the result itself is printed" [("--json", form == AsJson)]
   for_ output $ \file -> do
     inputs <- filterM (sameFile file) files
     for_ (take 1 inputs) $ \input ->
@@ -102,14 +103,14 @@ run files damage output form = do
           (length (filter (foundProved . rowFindings) rows))
   pure Answered
   where
-    -- What no census begins with.
+    -- A census never begins with a brace.
     isJson = ("{" `Bytes.isPrefixOf`)
     evaluationShard file bytes
       | Bytes.null bytes = unusable (notMergedMessage (Unfinished file))
       | otherwise = orUnusable (evaluationFileMessage file) (Evaluation.contentsOf bytes)
 
--- | The rows of a file, all of them, or those that are whole if that is asked for, and what is to
--- be said of them. Leaves with status 2 if it is damaged.
+-- | The rows of a file, and notices about them. A damaged file leaves with status 2; with
+-- 'Repaired', its whole rows are taken.
 shard :: Damage -> FilePath -> ByteString -> IO (Shard, [String])
 shard damage file bytes = do
   contents <- orUnusable (censusFileMessage file) (contentsOf bytes)
@@ -122,8 +123,8 @@ shard damage file bytes = do
          in pure (Shard file (Map.elems kept), [keptMessage file (Map.size kept) lost])
     Left fault -> unusable (censusFileMessage file fault)
 
--- | Whether both paths lead to the same file, however they are spelt and over whatever links, hard
--- ones among them. What does not exist is the same as nothing.
+-- | Whether both paths lead to the same file, in any spelling and over any symbolic or hard links.
+-- A file that does not exist equals no other.
 sameFile :: FilePath -> FilePath -> IO Bool
 sameFile a b = (\x y -> Just True == ((==) <$> x <*> y)) <$> identity a <*> identity b
   where

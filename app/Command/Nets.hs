@@ -4,10 +4,13 @@ module Command.Nets
   )
 where
 
+import Control.Monad (unless, when)
 import Counted
 import qualified Data.ByteString.Lazy as Lazy
 import Data.Either (isRight)
 import Data.Foldable (for_)
+import Data.List (intercalate)
+import Data.Maybe (isJust)
 import ExitStatus
 import NamedSolid
 import Options
@@ -21,23 +24,32 @@ import PraTactile.Object.Net
 import PraTactile.Object.WingedEdge
 import PraTactile.Profile (canonicalProfile, profileShape)
 import Progress
+import SvgFile
 import Visible
 
 data Options = Options
   { subject :: String,
-    picture :: Maybe FilePath,
+    picture :: Maybe Picture,
     reading :: SolidReading,
     form :: AnswerForm
   }
 
-command :: Mod CommandFields (IO ExitStatus)
+-- | Where the net is drawn.
+data Picture
+  = -- | as @net.svg@ in a folder that is new or empty
+    InFolder FilePath
+  | InFile FilePath
+
+command :: Subcommand
 command =
   subcommand
     "nets"
-    "Unfold a solid along its edges: how many ways there are, and one in which no two faces \
-    \overlap. Status 1 if there is none, or none is found."
+    "Unfold a solid along its edges"
+    "Unfold a solid along its edges: count the unfoldings, and find one in which no two faces \
+    \overlap. The status is 1 if there is none, or none is found."
+    [readingGroup]
     [ "pra-tactile nets cube",
-      "pra-tactile nets pyramid:200x200x200 --svg nets",
+      "pra-tactile nets pyramid:200x200x200 --picture net.svg",
       "pra-tactile nets pyritohedron:100 --json"
     ]
     ( run
@@ -45,21 +57,26 @@ command =
                 <$> argument
                   pathReader
                   ( metavar "SOLID" <> action "file"
-                      <> help ("A file, or a name: " ++ unwords nameForms)
+                      <> help ("A file, or a name: " ++ intercalate ", " nameForms)
                   )
                 <*> optional
-                  ( folderOption
-                      "svg"
-                      "Draw the net at true scale, as net.svg in a folder that is new or empty"
+                  ( InFolder <$> option pathReader (long "svg" <> internal <> action "directory")
+                      <|> InFile
+                        <$> fileOption "picture" "FILE.svg" "Draw the net at true scale, as SVG"
                   )
                 <*> readingOptions
-                <*> jsonSwitch "Print as JSON"
+                <*> jsonSwitch "Print the answer as JSON"
             )
     )
 
 run :: Options -> IO ExitStatus
 run options = do
   formatHeeded (readingFormat (reading options)) [subject options] Nothing
+  for_ [file | Just (InFile file) <- [picture options]] $ \file -> do
+    when (file == standardOutput && form options == AsJson) $
+      misused "--picture - and --json both take the standard output; name a file for the picture"
+    orNotSvg file
+    orUnwritable file
   whole <-
     namedSolid
       (Just (profileShape canonicalProfile))
@@ -67,21 +84,29 @@ run options = do
       (reading options)
       (subject options)
   found <- whileWorking "unfolding it" (pickCut mostTried whole)
-  for_ (pictures whole found) $ uncurry writeFolder
-  printAs
-    (form options)
-    (unlines (reportText whole found (picture options)))
-    (encodeNets whole found)
+  let svgs = pictureOf whole found
+  for_ ((,) <$> picture options <*> svgs) $ \(place, svg) -> case place of
+    InFolder folder -> writeFolder folder [("net.svg", Lazy.toStrict svg)]
+    InFile file -> writeWhole file svg
+  unless (drawnInPlaceOfText svgs) $
+    printAs
+      (form options)
+      (unlines (reportText whole found (placeText <$> picture options)))
+      (encodeNets whole found)
   pure (if isRight found then Answered else NotAnswered)
   where
-    pictures whole found =
-      [ (folder, [("net.svg", Lazy.toStrict (netSvg title (layOut lying tree)))])
-        | Just folder <- [picture options],
-          Right (lying, _, tree) <- [found],
-          let title = "A net of the " ++ visible (objectText (solidName whole))
-      ]
+    pictureOf whole found = case found of
+      Right (lying, _, tree) -> Just (netSvg title (layOut lying tree))
+      Left _ -> Nothing
+      where
+        title = "A net of the " ++ visible (objectText (solidName whole))
+    drawnInPlaceOfText svg =
+      isJust svg && or [file == standardOutput | Just (InFile file) <- [picture options]]
+    placeText place = case place of
+      InFolder folder -> folder
+      InFile file -> file
 
--- | The solid's unfoldings and its net, which may have been drawn in a folder.
+-- | The solid's unfoldings and its net, and the file or the folder in which it was drawn.
 reportText ::
   Solid -> Either NoNet (Solid, [FaceName], Unfolding) -> Maybe FilePath -> [String]
 reportText whole found drawn =

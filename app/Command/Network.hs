@@ -15,12 +15,14 @@ import PraTactile.Classification.Network
 import PraTactile.Format.Network
 import Setup
 
-command :: Mod CommandFields (IO ExitStatus)
+command :: Subcommand
 command =
   subcommand
     "network"
-    "Tell what the network of an alphabet is, the shipped one or that of a file, and write its \
+    "Describe a network, or write its weights as JSON"
+    "Describe the network of a set of shapes, the shipped one or that of a file, and write its \
     \weights as JSON."
+    []
     [ "pra-tactile network",
       "pra-tactile network data/network.txt --output network.json",
       "pra-tactile network --q 9 --json"
@@ -29,10 +31,14 @@ command =
         <$> alphabetChoice
         <*> optional
           ( pathArgument
-              (metavar "FILE" <> action "file" <> help "Weights (default: the shipped ones)")
+              ( metavar "FILE" <> action "file"
+                  <> help
+                    "A file of weights (default: the shipped \
+                    \ones)"
+              )
           )
         <*> jsonSwitch "Print the weights as JSON"
-        <*> outputFileOption' "Write the weights to a file as JSON"
+        <*> outputFileOption' "Write the weights to this file, as JSON"
     )
   where
     outputFileOption' = optionalFile "output" "FILE"

@@ -1,5 +1,5 @@
 -- | @pra-tactile objects@: the objects and where their faces lie on the array; the database of that
--- mapping, which is asked, changed and checked.
+-- mapping is used, changed and verified.
 module Command.Objects
   ( command,
   )
@@ -19,7 +19,7 @@ import Message
 import NamedSolid (symbolsText)
 import Options
 import PlacementChoice
-import Polyhedra (SolidReading, asUsual, readingOptions)
+import Polyhedra (SolidReading, asUsual, readingGroup, readingOptions)
 import PraTactile.Array (Position (..), Shape (..))
 import PraTactile.Format (encodeObjects, encodeWhereabouts)
 import PraTactile.Format.Object (encodeNoWhereabouts)
@@ -43,81 +43,84 @@ data Options = Options
     form :: AnswerForm
   }
 
-command :: Mod CommandFields (IO ExitStatus)
+command :: Subcommand
 command =
   subcommand
     "objects"
-    "List the objects and the place of their faces on the array, look a window's position up, or \
-    \write the mapping to an SQLite file, add to it and take from it."
+    "List, look up or store where faces lie on the array"
+    "List the objects and where their faces lie on the array, or look up what lies at a window's \
+    \position. Or write this mapping to a database, add objects to it and remove them."
+    [readingGroup, arrayGroup]
     [ "pra-tactile objects",
-      "pra-tactile objects --at 6,5",
-      "pra-tactile objects --write mapping.sqlite && pra-tactile objects --database \
-      \mapping.sqlite --at 6,5",
+      "pra-tactile objects --cell 6,5",
+      "pra-tactile objects --write mapping.sqlite && pra-tactile objects --database mapping.sqlite \
+      \--cell 6,5",
       "pra-tactile objects --write more.sqlite && pra-tactile objects --database more.sqlite --add \
       \lid=box:30x30x40",
       "pra-tactile place lid=box:30x30x40 --output lid.json && pra-tactile objects --placement \
       \lid.json --write lid.sqlite && pra-tactile objects --database lid.sqlite --remove lid && \
       \pra-tactile objects --database lid.sqlite --add --placement lid.json lid"
     ]
-    (run <$> arrayChoice <*> options)
+    (run <$> options <*> arrayChoice)
   where
     options =
       Options
         <$> optional
-          ( valued
-              positionReader
-              "at"
-              "ROW,COLUMN"
-              "Tell what lies at the window whose upper left cell is here, counted from 0"
+          ( orAlias "at" positionReader mempty $
+              valued
+                positionReader
+                "cell"
+                "ROW,COLUMN"
+                "Print what lies at the window whose upper left cell is this, counted from 0"
           )
         <*> switch
           ( long "batch"
               <> help
-                "Read such positions from the standard input, one a line; answer each with \
-                \a line of JSON"
+                "Read such cells from the standard input, one a line, and answer each by a line of \
+                \JSON"
           )
-        <*> placementBeside "Ask this database instead of a mapping in memory, or change it"
+        <*> placementBeside "Use this database in place of a mapping in memory, or change it"
         <*> optionalFile
           "write"
           "FILE"
-          "Write the mapping to an SQLite file, or a database on a server, postgresql://...: a new \
-          \one, or one that this command made, which is replaced"
+          "Write the mapping to an SQLite file, or to a database on a server, postgresql://...; \
+          \one that this command made before is replaced"
         <*> optional taskOption
         <*> many
           ( argument
               pathReader
               ( metavar "OBJECT..." <> action "file"
                   <> help
-                    "What --add and --replace take: files or names of polyhedra, as 'solid' takes \
-                    \them, NAME= before one names the object; of a --placement, names of its \
-                    \objects (default: all); what --remove takes: names of objects"
+                    "For --add and --replace: files or names of polyhedra, as 'solid' takes them, \
+                    \where NAME= in front names the object; with --placement, names of its objects \
+                    \(default: all). For --remove: names of objects"
               )
           )
         <*> readingOptions
-        <*> jsonSwitch "Print as JSON"
+        <*> jsonSwitch "Print the answer as JSON"
 
-run :: ArrayChoice -> Options -> IO ExitStatus
-run choice options = do
+run :: Options -> ArrayChoice -> IO ExitStatus
+run options choice = do
   when (length asked > 1) $
     misused ("give one of " ++ enumerated asked)
   unless (null (operands options) || maybe False takesOperands (task options)) $
-    misused "objects are named for --add, --replace and --remove"
+    misused "objects are only for --add, --replace and --remove; leave them out"
   unless (reading options == asUsual || task options `elem` [Just Add, Just Replace]) $
     misused
-      "--scale, --tolerance, --fix-orientation, --keep-triangles and --format are for --add and \
-      \--replace"
+      "--scale, --tolerance, --fix-orientation, --keep-triangles and --format are only for --add \
+      \and --replace"
   when (isJust beside && null (task options)) $
-    misused "--placement and --database are given together for --add and --replace"
+    misused "--placement and --database go together only with --add and --replace; give one of them"
   case (task options, ofDatabase from) of
     (Just what, Just file) ->
       changed choice file what beside (reading options) (operands options) (form options)
-    (Just what, Nothing) -> misused (taskName what ++ " is for a --database")
+    (Just what, Nothing) -> misused (taskName what ++ " needs --database")
     (Nothing, database) -> case (at options, write options) of
       (_, Just "-") ->
         misused "a database cannot be written to the standard output; name a file"
       (_, Just _)
         | isJust database ->
-          misused "--write makes a database and --database asks one; give one of them"
+          misused "--write makes a database and --database uses one; give one of them"
       (_, Just file) -> do
         (profile, layout) <- chosenPlacement choice from
         create file (profileText profile) layout >>= orUnusable storeMessage
@@ -132,13 +135,13 @@ run choice options = do
   where
     (from, beside) = source options
     asked =
-      ["--at" | isJust (at options)]
+      ["--cell" | isJust (at options)]
         ++ ["--batch" | batched options]
         ++ ["--write" | isJust (write options)]
         ++ [taskName what | Just what <- [task options]]
     enumerated names = unwords (map (++ ",") (init names)) ++ " " ++ last names
 
--- | Go on with the profile and what tells where a window is, in memory or by the database alone.
+-- | Continue with the profile and the look-up of windows, in memory or in the database.
 asking ::
   ArrayChoice -> PlacementChoice -> (Profile -> (Position -> IO Whereabouts) -> IO a) -> IO a
 asking choice from ask = case ofDatabase from of
@@ -157,7 +160,7 @@ lookUp options position profile whereIs = do
   printAs (form options) (whereText place ++ "\n") (encodeWhereabouts profile position place)
   pure Answered
 
--- | One line after another, each answered at once; the worst status of all.
+-- | Answer one line after another, each at once; the status is the worst of all.
 batch :: Profile -> (Position -> IO Whereabouts) -> IO ExitStatus
 batch profile whereIs = forLines answerLine Answered
   where
@@ -172,7 +175,7 @@ batch profile whereIs = forLines answerLine Answered
       position <- readPosition (Text.unpack text)
       maybe (Right position) Left (offArray profile position)
 
--- | That the array has no such cell.
+-- | The complaint about a position outside the array.
 offArray :: Profile -> Position -> Maybe String
 offArray profile position
   | row position < high && column position < wide = Nothing

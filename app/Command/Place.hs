@@ -1,5 +1,5 @@
--- | @pra-tactile place@: where the faces of any objects are laid on an array, or that they cannot
--- be.
+-- | @pra-tactile place@: lay the faces of any objects on an array, or prove that this is
+-- impossible.
 module Command.Place
   ( command,
   )
@@ -59,87 +59,101 @@ data Options = Options
     form :: AnswerForm
   }
 
-command :: Mod CommandFields (IO ExitStatus)
+command :: Subcommand
 command =
   subcommand
     "place"
-    "Lay the faces of objects on the array, no two on one cell, by a search; or say that it cannot \
-    \be done, with the reason. What lies already stays where it is. Status 1 unless all are laid."
+    "Lay the faces of objects on the array"
+    "Lay the faces of objects on the array so that no two share a cell, by a search; or report \
+    \that it cannot be done, and why. Faces that lie there already stay where they are. The status \
+    \is 1 unless all faces are laid."
+    [readingGroup, arrayGroup]
     [ "pra-tactile place cube parallelepiped --output placement.json",
       "pra-tactile place box:60x60x60 --symbols 1/2 --json",
       "pra-tactile place cube --smallest",
-      "pra-tactile place lid=box:120x80x20 --face 'lid:V1 V2 V3 V4' --upright"
+      "pra-tactile place lid=box:120x80x20 --face 'lid:V1 V2 V3 V4' --as-named"
     ]
     ( run
-        <$> arrayChoice
-        <*> ( Options
+        <$> ( Options
                 <$> many
                   ( argument
                       pathReader
                       ( metavar "OBJECT..." <> action "file"
                           <> help
-                            "Files or names of polyhedra, as 'solid' takes them; NAME= before one \
+                            "Files or names of polyhedra, as 'solid' takes them; NAME= in front \
                             \names the object"
                       )
                   )
                 <*> optionalFile
                   "objects"
                   "FILE"
-                  "More objects, one a line; - is the standard input"
+                  "A file that lists more objects, one a line; - is the standard input"
                 <*> optionalFile
                   "onto"
                   "PLACEMENT"
-                  "A file that 'place' wrote: what lies there stays, and the objects are added"
+                  "Add the objects to this file that 'place' wrote; its faces stay where they are"
                 <*> switch
                   ( long "smallest"
                       <> help
-                        "On the smallest array over GF(q) on which all faces are begun where they \
-                        \have the most symbols, by that of its windows that lies whole on the \
-                        \most faces; q is 4 unless --q says another"
+                        "Choose the smallest array over GF(q) that has room for all faces, each \
+                        \begun where it has the most symbols; and of its windows the one that lies \
+                        \wholly on the most faces. --q is 4 unless given"
                   )
                 <*> many
                   ( valued
                       faceReader
                       "face"
                       "OBJECT:VERTICES"
-                      "Lay this face of the object, and of it only those named so (default: all \
-                      \faces that have room for a symbol)"
+                      "Lay this face, and of its object only faces named by --face; may be \
+                      \repeated (default: all faces that have room for a symbol)"
                   )
                 <*> optional symbolsOption
-                <*> flag
-                  AnyVertex
-                  AsNamed
-                  ( long "upright"
-                      <> help
-                        "Begin each face's frame at the first vertex of its name (default: where \
-                        \it has the most symbols, unless there is no placement then)"
-                  )
+                <*> ( orAliasFlag
+                        "upright"
+                        AsNamed
+                        ( flag'
+                            AsNamed
+                            ( long "as-named"
+                                <> help
+                                  "Begin each face at the first vertex of its name (default: where \
+                                  \it has the most symbols, or elsewhere if there is no placement \
+                                  \then)"
+                            )
+                        )
+                        <|> pure AnyVertex
+                    )
                 <*> seedOption (value 1 <> showDefault)
                 <*> readingOptions
-                <*> optionalFile "output" "FILE" "Write the placement to a file"
+                <*> optionalFile "output" "FILE" "Write the placement to this file"
                 <*> jsonSwitch "Print the report as JSON"
             )
+        <*> arrayChoice
     )
 
--- | @OBJECT:VERTICES@, the vertices parted by spaces or commas.
+-- | @OBJECT:VERTICES@, the vertices separated by spaces or commas.
 faceReader :: ReadM (ObjectName, FaceName)
 faceReader = eitherReader $ \text -> case break (== ':') text of
   (owner@(_ : _), ':' : walk@(_ : _)) ->
     Right (objectCalled owner, readFaceName [if c == ',' then ' ' else c | c <- walk])
-  _ -> Left (quoted text ++ " is no face, such as 'cube:C1 C2 C3 C4'")
+  _ -> Left (quoted text ++ " is not a face; write OBJECT:VERTICES, as in 'cube:C1 C2 C3 C4'")
 
-run :: ArrayChoice -> Options -> IO ExitStatus
-run choice options = do
+run :: Options -> ArrayChoice -> IO ExitStatus
+run options choice = do
   mapM_ orUnwritable (output options)
   (chosen, between, before) <- ground choice options
   names <- (subjects options ++) <$> maybe (pure []) objectLines (listed options)
-  when (null names && null (faces options)) (misused "name an object; 'solid' lists what there is")
+  when
+    (null names && null (faces options))
+    ( misused
+        "no object is named; 'pra-tactile solid \
+        \--help' has the names of solids"
+    )
   formatHeeded (readingFormat (reading options)) (map sourceOf names) Nothing
   new <- for names (namedSolid (profileShape <$> chosen) between (reading options))
   let known = maybe [] placementSolids before ++ new
       lying = maybe [] laidFaces before
       laidOn profile layings = placement (profileShape profile) between known layings
-  -- Names that are there twice, and faces that there are not, are refused before the search.
+  -- Repeated names and unknown faces are refused before the search.
   _ <- orUnusable placementMessage (laidOn (fromMaybe canonicalProfile chosen) (map layingOf lying))
   wishes <- wanted between options known new
   let bare = [body | body <- new, solidName body `notElem` map (faceObject . wantedFace) wishes]
@@ -149,7 +163,7 @@ run choice options = do
       laidOf asked = do
         arrays <- maybe (smallestArrays choice (needed asked)) (\it -> pure [[it]]) chosen
         pure (needed asked, firstLaid (map laidBlock lying) (search asked) arrays)
-      -- Why no array has room for what is wished.
+      -- Why no array has room for the wanted faces.
       hopeless
         | null wishes = Just (nothingCarries between new)
         | otherwise =
@@ -222,7 +236,7 @@ run choice options = do
             mostSymbols (placementPitch place) body name
         }
 
--- | What there is to warn of faces whose cells have a rank below the polynomial's degree.
+-- | The warning about faces whose cells have a rank below the polynomial's degree.
 untold :: Natural -> [ReportedLaying] -> Maybe String
 untold degree reported = case filter below reported of
   [] -> Nothing
@@ -238,9 +252,9 @@ untold degree reported = case filter below reported of
     below one = any (< degree) (maskRank (reportedProof one))
     faceOf (Face owner walk) = visible (objectText owner) ++ ", " ++ visible (faceText walk)
 
--- | The first array on which all is laid, by that of its windows that lies wholly on the most
--- faces, the first of several; or the last array, where all is laid on none. Each is given by its
--- profiles, one a window.
+-- | The first array on which all faces are laid, with the first of its windows that lies wholly on
+-- the most faces; or the last array, if none has room. An array is given by its profiles, one for
+-- each window.
 firstLaid :: [Block] -> (Profile -> Found) -> [[Profile]] -> (Profile, Found)
 firstLaid lying search arrays = case arrays of
   (profile : others) : more -> case search profile of
@@ -255,7 +269,8 @@ firstLaid lying search arrays = case arrays of
     better blocks one other = if on blocks other > on blocks one then other else one
     on blocks profile = length (filter (holdsWindow (profileWindow profile)) blocks)
 
--- | The single arrays of at least so many cells, and at most 'mostCounted', in the adviser's order.
+-- | The single arrays of at least this many cells, and at most 'mostCounted', in the adviser's
+-- order.
 smallestArrays :: ArrayChoice -> Natural -> IO [[Profile]]
 smallestArrays choice cells = do
   q <- orderAlone choice
@@ -277,11 +292,14 @@ smallestArrays choice cells = do
       Single folding -> Just folding
       Joint _ -> Nothing
 
--- | The array, unless the smallest one is asked for; the distances of symbols; what lies there
--- already.
+-- | The array, unless the smallest one is wanted; the distances of symbols; the faces that lie
+-- there already.
 ground :: ArrayChoice -> Options -> IO (Maybe Profile, Pitch, Maybe Placement)
 ground choice options = case onto options of
-  Just _ | smallest options -> misused "--smallest looks for an array, and --onto names one"
+  Just _
+    | smallest options ->
+      misused
+        "--smallest looks for an array, but --onto names one; give one of them"
   Nothing | smallest options -> pure (Nothing, sized (fromMaybe 1 (symbols options)), Nothing)
   Nothing -> do
     profile <- chosenProfile choice
@@ -292,9 +310,9 @@ ground choice options = case onto options of
     unless (nothingChosen choice) $ do
       other <- chosenProfile choice
       unless (other == profile) . unusable $
-        "the array options describe another array than that of " ++ visibleName file
+        "the array's options describe another array than that of " ++ visibleName file
     unless (all ((== placementPitch before) . sized) (symbols options)) . unusable $
-      "--symbols says another size than that of the symbols of " ++ visibleName file
+      "--symbols gives another size than the symbols have in " ++ visibleName file
     pure (Just profile, placementPitch before, Just before)
   where
     sized k = let Pitch right down = canonicalPitch in Pitch (k * right) (k * down)
@@ -308,7 +326,8 @@ objectLines file = do
   text <- orUnusable ((visibleName file ++) . notUtf8Message) (plainUtf8 bytes)
   pure [line | line <- textLines (Text.unpack text), not (all isSpace line)]
 
--- | The faces to be laid: those named of objects that some are named of, and all of the new ones.
+-- | The faces to be laid: those named by @--face@, and all faces of new objects without a named
+-- one.
 wanted :: Pitch -> Options -> [Solid] -> [Solid] -> IO [Wanted]
 wanted between options known new = do
   said <- for (faces options) $ \(owner, walk) -> do
@@ -323,7 +342,7 @@ wanted between options known new = do
   where
     byName = Map.fromList [(solidName body, body) | body <- known]
 
--- | What is proved of the contents of blocks, once for each that is another.
+-- | The proofs about the contents of blocks, computed once for equal blocks.
 proved :: KnownField k => PseudorandomArray k -> [Block] -> [MaskProof]
 proved array blocks = map (\given -> Map.findWithDefault unknown (cells given) proofs) blocks
   where
@@ -341,7 +360,7 @@ proved array blocks = map (\given -> Map.findWithDefault unknown (cells given) p
               (minimumDistanceWithin (2 ^ (20 :: Int)) array mask)
           )
 
--- | Print the report, unless the standard output is the file's.
+-- | Print the report, unless the placement goes to the standard output.
 told :: Options -> PlaceReport -> String -> IO ()
 told options report sentence =
   unless (placeOutcome report == IsPlaced && output options == Just "-") $

@@ -19,31 +19,46 @@ import PraTactile.Format (PolynomialKind (..), encodePolynomials)
 import PraTactile.Polynomial
 import System.IO (BufferMode (..), hSetBuffering, stdout)
 
--- | What of them.
+-- | Which polynomials are printed.
 data Wanted = All | Count | First | FewestTerms | Random Word64
   deriving stock (Eq, Show)
 
-command :: Mod CommandFields (IO ExitStatus)
+command :: Subcommand
 command =
   subcommand
     "polynomials"
-    "Print the primitive or the irreducible polynomials of a degree, one a line: the codes of the \
-    \coefficients, constant term first, as --polynomial takes them; in ascending order, the \
-    \highest degree compared first."
+    "List primitive or irreducible polynomials of a degree"
+    "Print the primitive or the irreducible polynomials of a degree, one a line. A line has the \
+    \codes of the coefficients, constant term first, as --polynomial takes them. Lines are in \
+    \ascending order; coefficients of the highest degree are compared first."
+    []
     [ "pra-tactile polynomials --q 4 --degree 4 --primitive",
       "pra-tactile polynomials --q 2 --degree 128 --primitive --first",
       "pra-tactile polynomials --q 3 --degree 20 --random 7"
     ]
     (run <$> fieldChoice <*> degree <*> kind <*> wanted <*> jsonSwitch "Print them as JSON")
   where
-    degree = valued naturalReader "degree" "N" ("Degree, 1 to " ++ show largestDegree)
+    degree =
+      valued
+        naturalReader
+        "degree"
+        "N"
+        ("Degree of the polynomials, 1 to " ++ show largestDegree)
     kind =
       flag'
         PrimitiveOnes
-        (long "primitive" <> help "The primitive ones: their root has order q^n - 1 (the default)")
+        ( long "primitive"
+            <> help
+              "Primitive polynomials: their root has order q^n - 1 (the \
+              \default)"
+        )
         <|> flag'
           IrreducibleOnes
-          (long "irreducible" <> help "The irreducible ones: no product of two of lower degree")
+          ( long "irreducible"
+              <> help
+                "Irreducible polynomials: those that are no product of two \
+                \of lower degree"
+          )
         <|> pure PrimitiveOnes
 
 wanted :: Parser Wanted
@@ -52,36 +67,36 @@ wanted =
     Count
     ( long "count"
         <> help
-          "Only how many there are, by formula; of primitive ones it needs the factors of q^n - 1, \
+          "Print only their number, by formula; for primitive polynomials q^n - 1 is factored, up \
           \to 2^1024"
     )
-    <|> flag' First (long "first" <> help "Only the first")
+    <|> flag' First (long "first" <> help "Print only the first")
     <|> flag'
       FewestTerms
-      (long "fewest-terms" <> help "Only the first of those with the fewest terms")
+      (long "fewest-terms" <> help "Print only the first of those with the fewest terms")
     <|> Random . fromInteger . (`mod` 2 ^ (64 :: Int)) . toInteger
       <$> valued
         naturalReader
         "random"
         "SEED"
-        "Only one, drawn with equal chances; the same for the same seed"
+        "Print only one, drawn uniformly; a seed always gives the same one"
     <|> pure All
 
--- | Far more than can be decided, and little enough to hold.
+-- | Far above any degree that can be decided, and small enough for the memory.
 largestDegree :: Natural
 largestDegree = 10000
 
 run :: FieldChoice -> Natural -> PolynomialKind -> Wanted -> AnswerForm -> IO ExitStatus
 run choice n kind what form
   | n < 1 || n > largestDegree =
-    misused ("the degree is " ++ show n ++ "; it must be 1 to " ++ show largestDegree)
+    misused ("--degree is " ++ show n ++ "; it must be 1 to " ++ show largestDegree)
   | otherwise = withChosenField choice $ \k -> case search k n kind what of
     Left why -> refused why
     Right found ->
       Answered <$ case form of
         AsJson -> Lazy8.putStrLn (encodePolynomials k n kind found)
         AsText -> do
-          -- A line at once for every polynomial found, for the next one may take long.
+          -- Print each polynomial as soon as it is found: the next one may take long.
           hSetBuffering stdout LineBuffering
           either print (mapM_ (putStrLn . intercalate "," . map show)) found
 

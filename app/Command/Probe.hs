@@ -44,7 +44,7 @@ data Options = Options
     face :: Maybe String,
     at :: Maybe (Double, Double),
     size :: Maybe (Int, Int),
-    -- | 'Nothing': by chance upright or turned by 180 degrees
+    -- | 'Nothing': at random upright or turned by 180 degrees
     turns :: Maybe Turns,
     sensor :: SensorChoice,
     seed :: Int,
@@ -56,7 +56,7 @@ data Options = Options
     truthFile :: Maybe FilePath,
     objects :: PlacementChoice,
     shapesFile :: Maybe FilePath,
-    -- | what was made of the object, pressed in its place
+    -- | a mesh that is pressed in place of the object
     meshFile :: Maybe FilePath,
     meshReading :: SolidReading,
     -- | of the frames' files and of the mesh
@@ -77,12 +77,14 @@ data Work
 data Announced = Announced | Unannounced
   deriving stock (Eq)
 
-command :: Mod CommandFields (IO ExitStatus)
+command :: Subcommand
 command =
   subcommand
     "probe"
-    "Press the simulated sensor on an object's face and write the frames, with a manifest, \
+    "Press the simulated sensor on a face; write frames"
+    "Press the simulated sensor on a face of an object, and write the frames with their manifest \
     \into a new folder."
+    [sensorGroup, objectsGroup, readingGroup, arrayGroup]
     [ "pra-tactile probe --object cube --seed 7 --output frames",
       "pra-tactile probe --object cube --face 'C1 C2 C3 C4' --at 12.7,40 --upright --seed 1 \
       \--output frames",
@@ -94,21 +96,21 @@ command =
       "pra-tactile probe --object cube --mesh cube.stl --seed 7 --output frames",
       "pra-tactile probe --flat 16 --sensor real --seed 7 --output frames"
     ]
-    (run <$> arrayChoice <*> optionsParser)
+    (run <$> optionsParser <*> arrayChoice)
 
 optionsParser :: Parser Options
 optionsParser =
   Options
     <$> workOption
     <*> optional
-      (valued str "face" "VERTICES" "The face, as in 'C1 C2 C3 C4' (default: drawn by chance)")
+      (valued str "face" "VERTICES" "The face, as in 'C1 C2 C3 C4' (default: a random one)")
     <*> optional
       ( valued
           place
           "at"
           "X,Y"
-          "The region's upper left corner on the face, mm to the right and down from the face's \
-          \upper left vertex (default: drawn by chance)"
+          "The region's upper left corner on the face, in mm right and down from the face's upper \
+          \left vertex (default: a random place)"
       )
     <*> sizeOption
     <*> turnsOption
@@ -119,26 +121,25 @@ optionsParser =
           intReader
           "specimen"
           "N"
-          "Seed of what differs from one sensor to the next, gains and dead taxels (default: \
-          \that of --seed)"
+          "Seed of what differs between sensors, gains and dead taxels (default: that of --seed)"
       )
     <*> optional
       ( valued
           place
           "origin"
           "X,Y"
-          "The region's upper left corner in the robot's coordinates, mm (default 0,0)"
+          "The region's upper left corner in the robot's coordinates, in mm (default: 0,0)"
       )
     <*> bendOption
     <*> flag Unannounced Announced (long "tell" <> help "Print the true place")
-    <*> optionalFile "truth" "FILE" "Write the true place as JSON, for 'compare'"
-    <*> placementChoice "The same from a database that 'objects --write' made"
+    <*> optionalFile "truth" "FILE" "Write the true place to this file as JSON, for 'compare'"
+    <*> placementChoice "Take them from a database that 'objects --write' made"
     <*> shapesOption
     <*> optionalFile
       "mesh"
       "FILE"
-      "Press this polyhedron, as 'emboss' writes it, in place of the object: its surface is felt \
-      \where the placement has the face, and the array is not asked"
+      "Press the polyhedron in this file, as 'emboss' writes it, in place of the object. Its \
+      \surface is felt where the placement has the face; the array is not used"
     <*> readingWith (pure AsWritten) (pure Nothing)
     <*> many
       ( choosing
@@ -146,15 +147,15 @@ optionsParser =
           (map (fmap Left) (allNamed imageFormatName) ++ map (fmap Right) (allNamed formatName))
           "format"
           "FORMAT"
-          "What the frames' files are: pgm (default), png or npy; or the format of a --mesh whose \
-          \file's end does not tell it"
+          "Format of the frames: pgm (default), png or npy; or format of the --mesh, if its name \
+          \does not end in one"
           mempty
       )
     <*> folderOption "output" "A folder that is new or empty"
   where
     place = pairReader ',' "12.7,40"
 
--- | That of the mesh, if it is given.
+-- | The format of the mesh, if it is given.
 meshFormat :: Options -> Maybe SolidFormat
 meshFormat = listToMaybe . reverse . rights . formats
 
@@ -167,18 +168,17 @@ workOption =
           <> metavar "NAME"
           <> completeWith ["cube", "parallelepiped", "sheet"]
           <> help
-            "The object: cube, parallelepiped or one of the placement's, or sheet: the whole array \
-            \as a flat plate"
+            "The object: cube, parallelepiped, an object of the placement, or sheet, the whole \
+            \array as a flat plate"
       )
     <|> Dark
       <$> frameCount
         "dark"
-        "Write so many frames of the sensor that touches nothing instead"
+        "Write N frames of the sensor that touches nothing instead"
     <|> Flat
       <$> frameCount
         "flat"
-        "Write so many frames of the sensor with all taxels pressed alike, to half of full scale, \
-        \instead"
+        "Write N frames of the sensor with all taxels pressed alike, to half of full scale, instead"
   where
     frameCount name = valued intReader name "N"
 
@@ -190,21 +190,21 @@ turnsOption =
       (AmongTurns [identity])
       ( long "upright"
           <> help
-            "The face lies upright in the robot's frame (default: so or turned by 180 degrees, by \
-            \chance)"
+            "The face lies upright in the robot's frame (default: at random upright or turned by \
+            \180 degrees)"
       )
       <|> flag'
         (AmongTurns [turned 2])
         (long "turned" <> help "The face lies turned by 180 degrees")
-      <|> (TurnedBy <$> angleOption "The face lies turned clockwise by so many degrees, any number")
+      <|> (TurnedBy <$> angleOption "The face lies turned clockwise by this angle")
 
-run :: ArrayChoice -> Options -> IO ExitStatus
-run choice options
+run :: Options -> ArrayChoice -> IO ExitStatus
+run options choice
   | any (not . (< 1e6) . abs) [fst placed, snd placed] =
-    misused "--origin is a place in millimetres"
+    misused "--origin must be a place in millimetres, each coordinate below 10^6"
   | isNothing (meshFile options)
       && (meshReading options /= asUsual {readingMending = asItIs} || isJust (meshFormat options)) =
-    misused "--scale, --tolerance and --format are for a --mesh"
+    misused "--scale, --tolerance and --format are for a --mesh; leave them out"
   | otherwise = do
     simulated <- chosenSensor (sensor options)
     let how =
@@ -228,15 +228,18 @@ run choice options
     placed = fromMaybe (0, 0) (origin options)
     spaced c = if c == ',' then ' ' else c
 
--- | Write so many calibration frames.
+-- | Write n calibration frames.
 calibrating ::
   ArrayChoice -> Options -> Sensor -> Int -> (Int -> [Frame]) -> IO ExitStatus
 calibrating choice options simulated count frames
-  | count < 1 || count > 10000 = misused "--dark and --flat are numbers of frames from 1 to 10000"
+  | count < 1 || count > 10000 =
+    misused
+      "--dark and --flat must be numbers of frames from 1 to \
+      \10000"
   | truthFile options /= Nothing || announced options == Announced =
     misused "calibration frames have no true place; leave out --truth and --tell"
   | otherwise = do
-    leaveOut "calibration frames are of no face" $
+    leaveOut "calibration frames show no face" $
       [ ("--bend", isJust (bend options)),
         ("--mesh", isJust (meshFile options)),
         ("--face", isJust (face options)),
@@ -255,7 +258,7 @@ calibrating choice options simulated count frames
 pressing :: ArrayChoice -> Options -> Pressing -> ObjectName -> IO ExitStatus
 pressing choice options how object = do
   when (isJust (meshFile options)) $
-    leaveOut "what is pressed has its symbols already" [("--shapes", isJust (shapesFile options))]
+    leaveOut "the --mesh has its symbols already" [("--shapes", isJust (shapesFile options))]
   for_ (truthFile options) orUnwritable
   (profile, laid) <- chosenWith choice (holding object (objects options)) object
   (scale, layout) <- feltPlacement laid
@@ -291,8 +294,8 @@ pressing choice options how object = do
   when (announced options == Announced) (putStrLn (truthText truth))
   pure Answered
 
--- | The polyhedron in a file, whose end tells its format, or else an STL file, read as the command
--- line says.
+-- | The polyhedron in a file, read as the options say. The file has the format that its name ends
+-- in, or else is STL.
 meshIn :: SolidReading -> FilePath -> IO Mesh
 meshIn reading file = do
   contents <- fileContents (readingFormat reading <|> Just Stl) file

@@ -11,11 +11,13 @@ import Options
 import PraTactile.Format.Profile
 import PraTactile.Profile (withProfile)
 
-command :: Mod CommandFields (IO ExitStatus)
+command :: Subcommand
 command =
   subcommand
     "profile"
-    "Print the profile as JSON: every convention on which implementations must agree."
+    "Print every convention of an array, as JSON"
+    "Print the profile of an array as JSON: every convention on which implementations must agree."
+    [arrayGroup]
     [ "pra-tactile profile",
       "pra-tactile profile --q 2 --polynomial 1,1,0,0,1 --shape 3x5 > mine.json && pra-tactile \
       \array --profile mine.json"

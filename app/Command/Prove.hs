@@ -23,20 +23,22 @@ import PraTactile.Window.Proof
 import Progress
 import Visible
 
-command :: Mod CommandFields (IO ExitStatus)
+command :: Subcommand
 command =
   subcommand
     "prove"
-    "Prove or refute that the content of every window tells its position: by visiting every \
-    \window, and by the rank of the window's cells. FILE decides any array, whoever made it."
+    "Prove or refute that all windows are distinct"
+    "Decide whether every window has a content of its own, so that its content tells its position. \
+    \Two methods are used: visiting every window, and the rank of the window's cells. FILE may \
+    \hold any array, whoever made it."
+    [arrayGroup]
     [ "pra-tactile prove --json",
       "pra-tactile prove --q 4 --polynomial 3,2,1,0,1 --shape 15x17 --window 1x4 --surface sheet",
       "pra-tactile prove --mask '##./.##'",
       "pra-tactile prove array.csv --window 2x2"
     ]
     ( run
-        <$> arrayChoice
-        <*> maskOption
+        <$> maskOption
         <*> surfaceOption
         <*> jsonSwitch "Print the verdict as JSON"
         <*> optional
@@ -44,14 +46,15 @@ command =
               ( metavar "FILE"
                   <> action "file"
                   <> help
-                    "A CSV file of codes, one row a line, instead of a pseudorandom array; needs \
-                    \--window or --mask; --q is the largest code and one more unless given"
+                    "A CSV file of codes, one row a line, in place of a pseudorandom array. It \
+                    \needs --window or --mask; --q is one more than the largest code unless given"
               )
           )
+        <*> arrayChoice
     )
 
-run :: ArrayChoice -> Maybe Mask -> Maybe Surface -> AnswerForm -> Maybe FilePath -> IO ExitStatus
-run choice drawn on form source = do
+run :: Maybe Mask -> Maybe Surface -> AnswerForm -> Maybe FilePath -> ArrayChoice -> IO ExitStatus
+run drawn on form source choice = do
   result <- maybe ofProfile ofFile source choice drawn on
   _ <- whileWorking working (length (verdictText result))
   printAs
@@ -60,7 +63,7 @@ run choice drawn on form source = do
     (encodeProof (ofWhat result) (windowMask result) (verdict result) (apart result))
   pure (if proved (verdict result) then Answered else NotAnswered)
 
--- | What was found, of the windows of which array.
+-- | The verdict on the windows of an array.
 data Result = Result
   { ofWhat :: Subject,
     windowMask :: Mask,
@@ -78,8 +81,7 @@ ofProfile choice drawn on = do
   found <- whileWorking working outcome >>= orUnusable proofMessage
   pure (Result (OfProfile profile) mask found far)
   where
-    -- The distance is that of the windows on the array's own surface, and is given if it takes no
-    -- long search.
+    -- The distance of the windows on the array's own surface, if no long search is needed.
     distanceOn on' array mask
       | on' == naturalSurface (arrayFolding array) =
         either (const Nothing) Just (minimumDistanceWithin (2 ^ (20 :: Int)) array mask)
@@ -92,7 +94,7 @@ ofFile file choice drawn on = do
     (Just mask, Nothing) -> pure mask
     (Nothing, Just shape) -> orUnusable windowMessage (rectangle shape)
     (Nothing, Nothing) ->
-      misused "say what a window of the file is: --window ROWSxCOLUMNS or --mask DRAWING"
+      misused "a window of the file is not known; give --window ROWSxCOLUMNS or --mask DRAWING"
     (Just _, Just _) -> misused "--mask already says what a window is; leave out --window"
   grid <- readGrid q file
   found <-
@@ -100,7 +102,7 @@ ofFile file choice drawn on = do
       >>= orUnusable proofMessage
   pure (Result (OfFile (nameInJson file) grid) mask found Nothing)
 
--- | What is done meanwhile.
+-- | The text of the progress line.
 working :: String
 working = "visiting windows"
 
@@ -131,7 +133,8 @@ verdictText (Result subject mask found far) =
       " (rank " ++ show r ++ maybe "" (\n -> ", needed " ++ show n) (needed found) ++ ")"
     at (Position r c) = show r ++ ", column " ++ show c
 
--- | What windows of a minimum distance bear; and cells that they do not, if these are few.
+-- | How many missing or wrong cells a minimum distance tolerates; and cells whose loss it does not,
+-- if these are few.
 correctable :: Natural -> [Position] -> String
 correctable d cells =
   ": forgives up to "

@@ -45,43 +45,46 @@ data Options = Options
     plot :: Maybe FilePath
   }
 
-command :: Mod CommandFields (IO ExitStatus)
+command :: Subcommand
 command =
   subcommand
     "rates"
-    "Tell how often damaged patches are located right, wrong, or refused: simulated from a seed, \
-    \decoded from symbols to the guaranteed radius, or a stated one (hard) and from probabilities \
-    \(soft), beside the exact rates of the weight enumerator."
+    "Measure how often damaged patches are located right"
+    "Simulate damaged patches, and count how many are located right, located wrong or refused. \
+    \Each patch is decoded twice: from its symbols, up to a radius (hard), and from probabilities \
+    \(soft). The exact rates, from the weight enumerator, stand beside the counts."
+    [arrayGroup]
     [ "pra-tactile rates --trials 200",
-      "pra-tactile rates --size 4x4 --errors 2 --erasures 15 --trials 20000",
-      "pra-tactile rates --size 4x4 --errors 20 --radius 6",
-      "pra-tactile rates --trials 200 --plot rates.svg"
+      "pra-tactile rates --patch 4x4 --errors 2 --erasures 15 --trials 20000",
+      "pra-tactile rates --patch 4x4 --errors 20 --radius 6",
+      "pra-tactile rates --trials 200 --picture rates.svg"
     ]
-    (run <$> arrayChoice <*> optionsParser)
+    (run <$> optionsParser <*> arrayChoice)
 
 optionsParser :: Parser Options
 optionsParser =
   Options
     <$> several
       [Shape n n | n <- [2 .. 5]]
-      ( valued
-          shapeReader
-          "size"
-          "ROWSxCOLUMNS"
-          "A patch (default: 2x2, 3x3, 4x4 and 5x5); may be repeated"
+      ( orAlias "size" shapeReader mempty $
+          valued
+            shapeReader
+            "patch"
+            "ROWSxCOLUMNS"
+            "The shape of the patches; may be repeated (default: 2x2, 3x3, 4x4 and 5x5)"
       )
     <*> percent
       [0.6, 2, 5, 10]
       "errors"
-      "Wrong symbols among the observed ones (default: 0.6, 2, 5 and 10); may be repeated"
+      "Share of the observed symbols that are wrong; may be repeated (default: 0.6, 2, 5 and 10)"
     <*> percent
       [0, 15]
       "erasures"
-      "Cells that were not observed (default: 0 and 15); may be repeated"
+      "Share of the cells that are not observed; may be repeated (default: 0 and 15)"
     <*> radiusOption
-      "Hard decoding corrects up to N wrong cells (default: as many as the observed cells \
+      "Correct up to N wrong cells in hard decoding (default: as many as the observed cells \
       \guarantee)"
-    <*> defaulting 10000 intReader "trials" "N" "Trials a line of the table"
+    <*> defaulting 10000 intReader "trials" "N" "Trials for each line of the table"
     <*> seedOption (value 1 <> showDefault)
     <*> optional
       ( choosing
@@ -89,26 +92,25 @@ optionsParser =
           [("text", Text), ("csv", Csv), ("json", Json)]
           "format"
           "text|csv|json"
-          "The form of the table (default text)"
+          "The form of the table (default: text)"
           mempty
       )
-    <*> optionalFile
-      "plot"
-      "FILE.svg"
-      "Draw the table as well, into an SVG file; - is the standard output, in place of the table"
+    <*> pictureOption
+      ["plot"]
+      "Draw the table as well, as SVG; - is the standard output, in place of the table"
   where
     several standard one = some one <|> pure standard
     percent standard name text = several standard (valued decimalReader name "PERCENT" text)
 
-run :: ArrayChoice -> Options -> IO ExitStatus
-run choice options
-  | trials options < 1 = misused "--trials is a number from 1 up"
+run :: Options -> ArrayChoice -> IO ExitStatus
+run options choice
+  | trials options < 1 = misused "--trials must be a number, 1 or more"
   | any (\s -> not (s >= 0 && s < 100)) (erasures options) =
-    misused "--erasures is a share from 0 to below 100 per cent"
+    misused "--erasures must be a share from 0 to below 100 per cent"
   | otherwise = do
     when (plot options == Just standardOutput) $
       leaveOut
-        "--plot - takes the standard output in place of the table"
+        "--picture - prints the picture in place of the table"
         [("--format", isJust (format options))]
     for_ (plot options) orNotSvg
     profile <- chosenProfile choice
@@ -116,8 +118,8 @@ run choice options
           table profile options (locator Nothing (profilePacking profile) (naturally array) mask)
     either (unusable . profileMessage) id (withProfile profile on)
 
--- | A line to be made: where its patches are read, its size, its exact rates by the damage, and its
--- wrong and missing cells, per cent.
+-- | A line of the table to be made: its trials, the size of its patches, its exact rates by the
+-- damage, and its shares of wrong and missing cells in per cent.
 data Setting k = Setting
   { settingTrials :: TrialSetup k,
     settingSize :: Shape,
@@ -189,14 +191,14 @@ settingsOf options theLocator = do
       setup <- orUnusable setupMessage (trialSetup (locatorArray theLocator) size)
       let exact = exactRates (radius options) theLocator mask
       pure [Setting setup size exact p s | s <- erasures options, p <- errors options]
-    -- A symbol that is guessed is wrong as often; noise alone cannot do worse.
+    -- The share of wrong symbols among guessed ones; noise alone cannot do worse.
     chance = 100 * (1 - 1 / fromIntegral (fieldOrder (arrayItself (locatorArray theLocator))))
     tooWrong =
-      "--errors is a share from 0 to below "
+      "--errors must be a share from 0 to below "
         ++ numberText chance
-        ++ " per cent, at which symbols are guessed"
+        ++ " per cent, the share for guessed symbols"
 
--- | Simulate a line, given what to do when some more trials are done.
+-- | Simulate a line, given an action that is told the number of trials done.
 line :: KnownField k => Options -> Setting k -> (Int -> IO ()) -> IO Line
 line options setting tick = do
   counts <- foldM add noTrials (withStrategy (parBuffer 8 rseq) simulated)

@@ -24,12 +24,14 @@ import Setup
 import System.IO (hFlush, stdout)
 import Text.Printf (printf)
 
-command :: Mod CommandFields (IO ExitStatus)
+command :: Subcommand
 command =
   subcommand
     "register"
-    "Find where the second of two overlapping frames lies in the first, by what they show, and how \
-    \sure that is."
+    "Find how two overlapping frames are displaced"
+    "Find where the second of two overlapping frames lies in the first, from what they show, and \
+    \how certain that is."
+    []
     [ "pra-tactile register data/worked-example/frames/frame_000.pgm \
       \data/worked-example/frames/frame_001.pgm --step 8,0",
       "pra-tactile register --batch < pairs.jsonl"
@@ -48,8 +50,8 @@ command =
         ()
         ( long "batch"
             <> help
-              "Answer lines {\"a\": FILE, \"b\": FILE, \"step\": [DX, DY]} of the standard \
-              \input, one JSON line each"
+              "Read lines {\"a\": FILE, \"b\": FILE, \"step\": [DX, DY]} from the standard input, \
+              \and answer each by a line of JSON"
         )
     pairArguments =
       PairRequest
@@ -58,23 +60,28 @@ command =
         <*> option
           (pairReader ',' "8,0")
           ( long "step" <> metavar "DX,DY"
-              <> help "Where B's upper left pixel should lie in A: taxels right and down"
+              <> help "Where the upper left pixel of B should lie in A, in taxels right and down"
           )
 
--- | How pairs are registered, but for their steps.
+-- | The options of registration, without the step.
 pairingOptions :: Parser ((Double, Double) -> Pairing)
 pairingOptions =
   (\search method confidence step -> Pairing step search method confidence)
-    <$> defaulting 3 decimalReader "search" "TAXELS" "How far around the step to search"
+    <$> defaulting 3 decimalReader "search" "TAXELS" "How far around --step to search"
     <*> choosing
       "method"
       (allNamed pairMethodName)
       "method"
       "METHOD"
-      "correlation (the paper's), blind (the frames alone), lattice (by the symbols' lattice) or \
-      \auto, the better of the last two (default)"
+      "How frames are compared: correlation (as in the paper), blind (without knowing the \
+      \symbols), lattice (by the lattice of symbols), or auto, the better of the last two (default)"
       (value Auto)
-    <*> defaulting 0.99 decimalReader "confidence" "P" "The probability from which on to answer"
+    <*> defaulting
+      0.99
+      decimalReader
+      "confidence"
+      "P"
+      "Smallest probability that the answer is right; below it, refuse"
 
 run ::
   Either () PairRequest ->
@@ -132,7 +139,8 @@ answered known frame pairing made (PairRequest fileA fileB step) = do
       (registerPair tables (pairing step) a b)
   pure (match, (size, tables))
 
--- | The frame in a file, or of a movie, corrected, given the reading of full contact if it is.
+-- | The frame in a file or of a movie, corrected, given the correction and, perhaps, the reading of
+-- full contact.
 frameIn ::
   (Raster -> Either CalibrationError Raster) -> Maybe Double -> FilePath -> IO Raster
 frameIn calibrated full path = do

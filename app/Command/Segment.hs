@@ -1,4 +1,4 @@
--- | @pra-tactile segment@: a composite to its symbols, as @decode@ sees them before it asks the
+-- | @pra-tactile segment@: the symbols of a composite, as @decode@ sees them before it uses the
 -- array.
 module Command.Segment
   ( command,
@@ -23,13 +23,15 @@ import Setup
 import Text.Printf (printf)
 import Visible
 
-command :: Mod CommandFields (IO ExitStatus)
+command :: Subcommand
 command =
   subcommand
     "segment"
+    "Find the symbols in tactile images"
     "Find the symbols in tactile images: where each is, which way its axes point and how far its \
-    \neighbours are. Takes what decode takes, but the shapes in place of the array, and sees what \
-    \decode sees."
+    \neighbours are. It takes the sources that 'decode' takes, with --shapes or --q in place of \
+    \the array, and shows what 'decode' sees."
+    [framesGroup]
     [ "pra-tactile segment data/worked-example/composite.pgm",
       "pra-tactile segment data/worked-example/frames --json"
     ]
@@ -38,7 +40,7 @@ command =
         <*> networkOption
         <*> stitchingOptions
         <*> framesOptions
-        <*> jsonSwitch "Print one JSON answer a line"
+        <*> jsonSwitch "Print each answer as a line of JSON"
         <*> framesArgument
     )
 
@@ -54,11 +56,11 @@ run symbols weights stitching choice form paths = do
   found <- chosenSources choice paths
   when (onlyImages found) $
     leaveOut
-      "whole images are not put together of frames"
+      "whole images have no frames"
       (ofFrames stitching choice)
   when (asTheyAre stitching) $
     leaveOut
-      "--no-stitching takes the positions as they are"
+      "--no-stitching uses the nominal positions"
       (ofRegistration stitching)
   known <- preparation choice
   reader <- chosenAlphabet symbols >>= (`readerWith` weights)
@@ -74,7 +76,7 @@ run symbols weights stitching choice form paths = do
           putStr (unlines (inWords segmented))
       pure (if null (featuresSymbols segmented) then NotAnswered else Answered)
 
--- | What was found, a line each.
+-- | The symbols, parts and rejects, one on each line.
 inWords :: Features -> [String]
 inWords segmented
   | null everything = ["nothing is embossed"]

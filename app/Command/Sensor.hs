@@ -10,30 +10,33 @@ import Options
 import PraTactile.Format (encodeSensor)
 import PraTactile.Sensor (Preset (..), presetName)
 import PraTactile.Sensor.Constants
-import SensorChoice (readSensor)
+import SensorChoice (readSensor, sensorOption)
 import Text.Printf (printf)
 
-command :: Mod CommandFields (IO ExitStatus)
+command :: Subcommand
 command =
   subcommand
     "sensor"
+    "Print the constants of the simulated sensor"
     "Print every constant of the simulated sensor and of the robot that carries it, with its unit \
-    \and where it comes from."
+    \and its source."
+    []
     [ "pra-tactile sensor",
-      "pra-tactile sensor --preset hard",
-      "pra-tactile sensor --preset real --json > mine.json && pra-tactile probe --object cube \
+      "pra-tactile sensor --sensor hard",
+      "pra-tactile sensor --sensor real --json > mine.json && pra-tactile probe --object cube \
       \--seed 7 --sensor mine.json --output frames"
     ]
     ( run
-        <$> option
-          pathReader
-          ( long "preset"
-              <> metavar "NAME"
-              <> completeWith (map presetName [minBound ..])
-              <> value (presetName Paper)
-              <> showDefaultWith id
-              <> help "ideal, paper, real or hard, or a file as --json prints it"
-          )
+        <$> ( orAlias
+                "preset"
+                pathReader
+                (completeWith (map presetName [minBound ..]))
+                ( sensorOption
+                    "The sensor: ideal, paper, real, hard, or a file as --json prints it (default: \
+                    \paper)"
+                )
+                <|> pure (presetName Paper)
+            )
         <*> jsonSwitch "Print the constants as JSON, which --sensor takes"
     )
 

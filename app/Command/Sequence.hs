@@ -1,4 +1,4 @@
--- | @pra-tactile sequence@: terms of the m-sequence, from wherever one likes.
+-- | @pra-tactile sequence@: terms of the m-sequence, from any index on.
 module Command.Sequence
   ( command,
   )
@@ -20,17 +20,19 @@ import PraTactile.Profile
 import PraTactile.Sequence
 import System.IO (stdout)
 
-command :: Mod CommandFields (IO ExitStatus)
+command :: Subcommand
 command =
   subcommand
     "sequence"
-    "Print terms of the m-sequence as codes: forward from any term, which is jumped to, or from \
-    \before the first; --shape may be left out."
+    "Print terms of the m-sequence, from any index on"
+    "Print terms of the m-sequence, as codes. They begin at any index, which may be negative or \
+    \very large. --shape may be left out."
+    [arrayGroup]
     [ "pra-tactile sequence --length 20",
       "pra-tactile sequence --q 4 --polynomial 3,2,1,0,1 --from 1000000000000000000 --length 40",
       "pra-tactile sequence --from=-3 --json"
     ]
-    (run <$> arrayChoice <*> from <*> count <*> jsonSwitch "Print the terms as JSON")
+    (run <$> from <*> count <*> jsonSwitch "Print the terms as JSON" <*> arrayChoice)
   where
     from =
       option
@@ -38,15 +40,15 @@ command =
         ( long "from"
             <> metavar "INDEX"
             <> value 0
-            <> help "Index of the first term printed, of any size, also negative (default: 0)"
+            <> help "Index of the first term, of any size, also negative (default: 0)"
         )
     count =
       option
         naturalReader
-        (long "length" <> metavar "NUMBER" <> value 40 <> help "How many terms (default: 40)")
+        (long "length" <> metavar "NUMBER" <> value 40 <> help "Number of terms (default: 40)")
 
-run :: ArrayChoice -> Integer -> Natural -> AnswerForm -> IO ExitStatus
-run choice from count form = do
+run :: Integer -> Natural -> AnswerForm -> ArrayChoice -> IO ExitStatus
+run from count form choice = do
   profile <- chosenSequence choice
   codes <-
     orUnusable

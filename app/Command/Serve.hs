@@ -24,12 +24,14 @@ data Options = Options
     form :: AnswerForm
   }
 
-command :: Mod CommandFields (IO ExitStatus)
+command :: Subcommand
 command =
   subcommand
     "serve"
-    "Answer the requests of the conformance protocol, JSON lines on the standard input, until stop \
-    \or the end of the input."
+    "Answer the conformance protocol as a subject"
+    "Answer requests of the conformance protocol, JSON lines on the standard input, until a stop \
+    \request or the end of the input."
+    []
     [ "echo '{\"command\": \"start\", \"protocol\": 1}' | pra-tactile serve",
       "pra-tactile conform --run field/multiplication-as-defined -- pra-tactile serve --impostor \
       \reduces-by-another-modulus",
@@ -40,13 +42,13 @@ command =
                 <$> switch (long "one-shot" <> help onceHelp)
                 <*> optional (choosing "impostor" named "impostor" "NAME" impostorHelp mempty)
                 <*> switch (long "impostors" <> help "List the impostors, and serve nothing")
-                <*> jsonSwitch "List them as JSON"
+                <*> jsonSwitch "List the impostors as JSON"
             )
     )
   where
     named = [(impostorName one, one) | one <- impostors]
-    onceHelp = "Answer one request, which has the profile as well"
-    impostorHelp = "Be wrong in the way of an impostor, for the suite to find"
+    onceHelp = "Answer one request, which includes the profile"
+    impostorHelp = "Be wrong in the way of this impostor, for the suite to find"
 
 run :: Options -> IO ExitStatus
 run options

@@ -5,6 +5,7 @@ module Command.Shapes
   )
 where
 
+import Control.Monad (unless, when)
 import Counted (counted)
 import qualified Data.ByteString.Lazy as Lazy
 import Data.Foldable (for_)
@@ -29,6 +30,7 @@ import PraTactile.Shape.Report
 import PraTactile.Steps (result)
 import Progress hiding (Work)
 import Setup
+import SvgFile
 import Visible (visibleName)
 
 data Options = Options
@@ -36,9 +38,10 @@ data Options = Options
     work :: Work,
     -- | of the search
     seed :: Maybe Int,
-    -- | How shapes are shown, if not as text.
+    -- | The form of the output, if not text.
     form :: Maybe (Drawings -> Text),
-    output :: Maybe FilePath
+    output :: Maybe FilePath,
+    picture :: Maybe FilePath
   }
 
 data Work
@@ -46,16 +49,18 @@ data Work
   | Design
   | Check FilePath
 
-command :: Mod CommandFields (IO ExitStatus)
+command :: Subcommand
 command =
   subcommand
     "shapes"
-    "Draw the embossed shapes with the table of their distances, run the search that designed \
-    \them, or check drawings by the rules that these obey."
+    "Draw, design or check the embossed shapes"
+    "Draw the embossed shapes, with the table of their distances. Or run the search that designed \
+    \them, or check drawings by the rules that they obey."
+    []
     [ "pra-tactile shapes",
-      "pra-tactile shapes --q 9 --svg --output shapes.svg",
+      "pra-tactile shapes --q 9 --picture shapes.svg",
       "pra-tactile shapes --design --output shapes.txt",
-      "pra-tactile shapes --check data/shapes.txt"
+      "pra-tactile shapes --examine data/shapes.txt"
     ]
     (run <$> options)
   where
@@ -66,8 +71,11 @@ command =
         <*> usually paperSeed intReader "seed" "N" "Seed of the search"
         <*> formOption
         <*> outputFileOption
+        <*> pictureOption
+          []
+          "Draw the shapes as SVG as well; - is the standard output, in place of the text"
     formOption =
-      flag' (Just alphabetSvg) (long "svg" <> help "Draw the shapes as SVG")
+      flag' (Just alphabetSvg) (long "svg" <> internal)
         <|> (reported <$> jsonSwitch "Print the distances and the faults as JSON")
     reported given
       | given == AsJson = Just (\a -> Text.decodeUtf8 (encodeShapes a) <> Text.singleton '\n')
@@ -76,23 +84,39 @@ command =
 workOption :: Parser Work
 workOption =
   Check
-    <$> fileOption
+    <$> orAlias
       "check"
-      "FILE"
-      "Say what is wrong with the shapes drawn in a file, and how far apart they are"
+      pathReader
+      (action "file")
+      ( fileOption
+          "examine"
+          "FILE"
+          "Print what is wrong with the shapes drawn in this file, and how far apart they are"
+      )
     <|> flag'
       Design
       ( long "design"
           <> help
-            "Run the search again, some seconds for four shapes and some minutes for nine, and \
-            \write the alphabet it finds"
+            "Run the search again, and write the shapes that it finds; four shapes take some \
+            \seconds, nine some minutes"
       )
     <|> pure Draw
 
 run :: Options -> IO ExitStatus
-run options = case work options of
+run options = do
+  when (picture options == Just standardOutput) $
+    leaveOut
+      "--picture - prints the picture in place of the text"
+      [("--json", isJust (form options)), ("--output", isJust (output options))]
+  for_ (picture options) orNotSvg
+  for_ (picture options) orUnwritable
+  done options
+
+-- | Draw, design or check, as the options say.
+done :: Options -> IO ExitStatus
+done options = case work options of
   Check file -> do
-    leaveOut "the file itself has the shapes that are checked" $
+    leaveOut "the shapes of the file are examined" $
       ("--seed", isJust (seed options)) : alphabetGiven (symbols options)
     given <- readDrawings file
     shown (checkText (visibleName file) given) given
@@ -106,7 +130,7 @@ run options = case work options of
       withProgress (unevenly drawings "drawings") $ \bar ->
         followWhile measuring bar $
           designSteps (fromMaybe paperSeed (seed options)) (parametersFor names)
-    -- To prove that no shapes are as far apart may take any time.
+    -- A proof that no shapes are this far apart may take arbitrarily long.
     searched <-
       withProgress (openly sought) $ \bar -> followWhile trying bar measured
     (found, report) <- orUnusable shapeMessage (result searched)
@@ -130,12 +154,16 @@ run options = case work options of
     sought d
       | d == 0 = "looking for shapes"
       | otherwise = "looking for shapes " ++ show d ++ " taxels apart"
-    shown text given = write (maybe text ($ given) (form options))
+    shown text given = do
+      for_ (picture options) $ \file -> writeWhole file (utf8 (alphabetSvg given))
+      unless (picture options == Just standardOutput) $
+        write (maybe text ($ given) (form options))
+    utf8 = Lazy.fromStrict . Text.encodeUtf8
     write :: Text -> IO ()
     write text =
       maybe
         (Text.putStr text)
-        (\file -> writeWhole file (Lazy.fromStrict (Text.encodeUtf8 text)))
+        (\file -> writeWhole file (utf8 text))
         (output options)
 
 -- | The names of a field's elements, by code.
@@ -145,7 +173,7 @@ elementNames q = inConwayField q named
     named :: forall k. KnownField k => Proxy k -> [Text]
     named _ = map (Text.pack . showElement) (elements :: [GF k])
 
--- | What is wrong, a line each, and the distances.
+-- | The distances, and each fault on a line.
 checkText :: String -> Drawings -> Text
 checkText name given =
   Text.unlines (Text.pack (name ++ ": " ++ apart) : map line (faults given))

@@ -40,13 +40,15 @@ data Options = Options
     form :: AnswerForm
   }
 
-command :: Mod CommandFields (IO ExitStatus)
+command :: Subcommand
 command =
   subcommand
     "solid"
-    "Examine polyhedra, of files or by name: whether each is a solid, all that is wrong with it, \
-    \its pieces, and how many symbols its faces carry. Files: OFF, OBJ, STL and PLY of all kinds, \
-    \and JSON of this program. Status 1 if something is wrong with one."
+    "Examine polyhedra: defects, pieces, room for symbols"
+    "Examine polyhedra from files or by name: whether each is a solid, all that is wrong with it, \
+    \its pieces, and how many symbols its faces carry. Files are OFF, OBJ, STL or PLY of all \
+    \kinds, or JSON of this program. The status is 1 if something is wrong with one."
+    [readingGroup]
     [ "pra-tactile solid cube",
       "pra-tactile solid cube --output cube.stl && pra-tactile solid cube.stl --merge-coplanar",
       "pra-tactile solid l:200x100x200 --output l.json"
@@ -65,7 +67,7 @@ command =
                       AsWritten
                       CoplanarMerged
                       ( long "merge-coplanar"
-                          <> help "Put faces together that share sides and lie in one plane"
+                          <> help "Merge adjacent faces that lie in one plane"
                       )
                   )
                   formatOption
@@ -73,15 +75,16 @@ command =
                 <*> optionalFile
                   "output"
                   "FILE"
-                  "Write the polyhedron to a file, in the format of its end or of --format"
-                <*> jsonSwitch "Print as JSON"
+                  "Write the polyhedron to this file, in the format that its name ends in, or that \
+                  \of --format"
+                <*> jsonSwitch "Print the report as JSON"
             )
     )
 
 run :: Options -> IO ExitStatus
 run options = do
   when (maybe False (const (length (subjects options) > 1)) (output options)) $
-    misused "--output takes one solid; name one"
+    misused "--output takes one solid; name only one"
   when (output options == Just "-" && form options == AsJson) $
     misused "--output - and --json both take the standard output; name a file for the polyhedron"
   formatHeeded (readingFormat (reading options)) (subjects options) (output options)
@@ -109,7 +112,7 @@ examined options target subject = do
               ++ " cannot have them exactly"
           )
     _ -> pure ()
-  -- What stands on the standard output is the file alone.
+  -- If the file goes to the standard output, nothing else does.
   if output options == Just "-"
     then pure ()
     else
@@ -187,7 +190,7 @@ reportText it passed changes done advice grids report =
       | null (reportDefects report) = "not examined everywhere"
       | otherwise = counted (length (reportDefects report)) "defect" "defects"
     turned = turnedFaces changes
-    -- What is not done yet.
+    -- The options that were not given yet.
     added mending =
       concat
         [ ["--tolerance", exactText mm]
@@ -226,7 +229,7 @@ pieceText piece =
     ++ maybe "" (\convex -> if convex then ", convex" else ", not convex") (componentConvex piece)
     ++ maybe "" (\n -> if n == 0 then "" else ", inside " ++ show n) (componentInside piece)
 
--- | A fraction of few digits exactly, another as the nearest machine number.
+-- | A fraction of few digits exactly, a longer one as the nearest machine number.
 volumeText :: Rational -> String
 volumeText volume
   | null (drop 20 exact) = exact

@@ -30,15 +30,18 @@ import SvgFile (orNotSvg, standardOutput)
 import System.FilePath (takeExtension)
 import Visible (visibleName)
 
-command :: Mod CommandFields (IO ExitStatus)
+command :: Subcommand
 command =
   subcommand
     "stitch"
-    "Assemble the frames of a folder into one composite image, correcting their positions by \
-    \cross-correlation."
+    "Join the frames of a folder into one image"
+    "Join the frames of a folder into one composite image, at corrected positions. If the frames \
+    \show symbols, the lattice of symbols corrects the positions; else all overlapping pairs do. \
+    \--method chooses another way."
+    [framesGroup]
     [ "pra-tactile stitch frames --output composite.pgm",
       "pra-tactile stitch frames --method lattice --json",
-      "pra-tactile stitch frames --report stitched.svg"
+      "pra-tactile stitch frames --picture stitched.svg"
     ]
     ( run <$> alphabetChoice
         <*> stitchingOptions
@@ -49,19 +52,21 @@ command =
               (allNamed stitchMethodName)
               "method"
               "METHOD"
-              "lattice (by the lattice of symbols), joint (by all pairs that overlap, \
-              \whatever they show), incremental (by the paper's correlation), \
-              \nominal (not at all), or auto: by the lattice where the frames show symbols, at \
-              \whatever angle, else joint (default)"
+              "How positions are corrected: lattice (by the lattice of symbols), joint (by all \
+              \overlapping pairs, whatever they show), incremental (by correlation, as in the \
+              \paper), nominal (not at all), or auto (default): lattice if the frames show \
+              \symbols, at any angle, else joint"
               mempty
           )
-        <*> pathArgument (metavar "FOLDER" <> action "directory")
-        <*> optionalFile "output" "FILE" "The composite, .pgm or .png"
-        <*> optionalFile
-          "report"
-          "FILE.svg"
+        <*> pathArgument
+          ( metavar "FOLDER" <> action "directory"
+              <> help "A folder of frames, or a movie with --poses"
+          )
+        <*> optionalFile "output" "FILE" "Write the composite to this file, .pgm or .png"
+        <*> pictureOption
+          ["report"]
           "Draw where each frame should have been and where it was found, over the composite"
-        <*> jsonSwitch "Print where each frame was as JSON"
+        <*> jsonSwitch "Print as JSON where each frame was"
     )
 
 run ::
@@ -77,12 +82,12 @@ run ::
 run symbols stitching choice asked folder output report form = do
   when
     (output == Nothing && report == Nothing && form == AsText)
-    (misused "there is nothing to do: give --output FILE, --report FILE.svg, or --json")
+    (misused "there is nothing to do; give --output FILE, --picture FILE.svg or --json")
   when
     (report == Just standardOutput && form == AsJson)
-    (misused "--report - and --json both take the standard output; name a file for the picture")
+    (misused "--picture - and --json both take the standard output; name a file for the picture")
   when (asTheyAre stitching) $
-    leaveOut "--no-stitching takes the positions as they are" [("--method", asked /= Nothing)]
+    leaveOut "--no-stitching uses the nominal positions" [("--method", asked /= Nothing)]
   heeded (stitchingMethod asAsked) stitching symbols
   for_ report orNotSvg
   encoder <- traverse encoderFor output
@@ -119,23 +124,23 @@ run symbols stitching choice asked folder output report form = do
               ++ " frames"
           )
 
--- | Refuses what a method does not ask for.
+-- | Refuses options that a method does not use.
 heeded :: StitchMethod -> StitchingChoice -> AlphabetChoice -> IO ()
 heeded method stitching symbols = case method of
   Automatic -> pure ()
   Nominal ->
     leaveOut
-      "the positions are taken as they are"
+      "this method uses the nominal positions"
       (ofRegistration stitching ++ alphabetGiven symbols)
   ByLattice ->
     leaveOut
-      "by the lattice, frames show their noise themselves"
-      [given | given@("--noise", _) <- ofRegistration stitching]
-  _ -> leaveOut "shapes are known of the lattice alone" (alphabetGiven symbols)
+      "the lattice method finds the noise itself"
+      [given | given@("--frame-noise", _) <- ofRegistration stitching]
+  _ -> leaveOut "only the lattice method uses shapes" (alphabetGiven symbols)
 
--- | How a composite is written to a file of that name.
+-- | The encoder of a composite for a file of this name.
 encoderFor :: FilePath -> IO (Raster -> Either ImageError Lazy.ByteString)
 encoderFor output = case map toLower (takeExtension output) of
   ".pgm" -> pure (fmap (Lazy.fromStrict . encodePgm Binary) . pgmFromIntensity 255)
   ".png" -> pure (Right . rasterPng)
-  _ -> misused ("cannot tell the form of " ++ output ++ "; end its name in .pgm or .png")
+  _ -> misused ("the form of " ++ output ++ " is not known; end its name in .pgm or .png")

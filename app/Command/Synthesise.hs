@@ -22,13 +22,15 @@ import PraTactile.PlainText (plainUtf8)
 import PraTactile.Polynomial
 import PraTactile.Sequence.Synthesis
 
-command :: Mod CommandFields (IO ExitStatus)
+command :: Subcommand
 command =
   subcommand
     "synthesise"
-    "Find the shortest shift register that puts out the symbols read from the standard input, \
-    \codes or powers parted by spaces, commas or line ends; status 1 if the symbols do not \
-    \determine it."
+    "Find the shortest shift register for given symbols"
+    "Find the shortest shift register that puts out the symbols on the standard input. Symbols are \
+    \codes or powers, separated by spaces, commas or line ends. The status is 1 if they do not \
+    \determine the register."
+    []
     [ "pra-tactile sequence --from 1000 --length 8 | pra-tactile synthesise --q 4",
       "echo '0 0 1 0 1 1 1' | pra-tactile synthesise --q 2 --json"
     ]
@@ -49,7 +51,7 @@ run q modulusGiven form = do
   printAs form (foundText found) (encodeSynthesis found)
   pure (if synthesisUnique found then Answered else NotAnswered)
 
--- | The shortest register over the field of this order; 'Left' says which symbol is none.
+-- | The shortest register over the field of this order; 'Left' names the first invalid symbol.
 search ::
   forall k. KnownField k => Proxy k -> Natural -> [String] -> Either String SynthesisReport
 search k q symbols = do
@@ -74,7 +76,7 @@ search k q symbols = do
     codeOf = fromIntegral . toCode :: GF k -> Natural
     primitivity h checked = case checked of
       Right _ -> Just True
-      -- Beyond what is factored, a polynomial with a factor is not primitive all the same.
+      -- If q^n - 1 is not factored, a reducible polynomial is still known not to be primitive.
       Left (OrderNotFactored _) -> if isIrreducible h then Nothing else Just False
       Left _ -> Just False
 

@@ -26,20 +26,22 @@ import PraTactile.Profile
 import Progress
 import System.IO (stdout)
 
--- | The forms the table can take.
+-- | The output formats.
 data Format = Csv | C | Mem
   deriving stock (Eq, Show)
 
-command :: Mod CommandFields (IO ExitStatus)
+command :: Subcommand
 command =
   subcommand
     "table"
-    "Print the memory table: each packed window's position, as CSV, as a C array, or as a memory \
-    \image for $readmemh."
+    "Print the memory table from windows to positions"
+    "Print the memory table, which has the position of each packed window: as CSV, as a C array, \
+    \or as a memory image for $readmemh."
+    [arrayGroup]
     [ "pra-tactile table --format csv",
       "pra-tactile table --format c > table.h"
     ]
-    (run <$> arrayChoice <*> surfaceOption <*> format <*> outputFileOption)
+    (run <$> surfaceOption <*> format <*> outputFileOption <*> arrayChoice)
   where
     format =
       option
@@ -48,17 +50,17 @@ command =
             <> metavar "FORMAT"
             <> completeWith (map fst formats)
             <> value Csv
-            <> help "csv, c, or mem, which is what $readmemh reads (default: csv)"
+            <> help "What is printed: csv, c, or mem, which $readmemh reads (default: csv)"
         )
     formats = [("csv", Csv), ("c", C), ("mem", Mem)]
-    -- The memory image is also known by what reads it.
+    -- The memory image is also named after $readmemh, which reads it.
     usualName given = case map toLower given of
       "$readmemh" -> "mem"
       "readmemh" -> "mem"
       name -> name
 
-run :: ArrayChoice -> Maybe Surface -> Format -> Maybe FilePath -> IO ExitStatus
-run choice chosen format output = do
+run :: Maybe Surface -> Format -> Maybe FilePath -> ArrayChoice -> IO ExitStatus
+run chosen format output choice = do
   profile <- chosenProfile choice
   let on = fromMaybe (profileSurface profile) chosen
       sizeAndText table = (tableSize table, rendered format profile on table)
@@ -80,7 +82,7 @@ run choice chosen format output = do
 -- | What is written for a packed window.
 type Row = (Natural, Builder)
 
--- | Rows by the thousand, each piece with how many addresses it reaches to.
+-- | Rows in pieces of 4096, each with the number of addresses up to its end.
 inPieces :: [Row] -> [(Integer, Lazy.ByteString)]
 inPieces given = case splitAt 4096 given of
   ([], _) -> []
@@ -88,8 +90,8 @@ inPieces given = case splitAt 4096 given of
     (toInteger (maximum (map fst piece)) + 1, Builder.toLazyByteString (foldMap snd piece)) :
     inPieces more
 
--- | The table before its rows, the rows, and what follows them. 'Nothing' where a word would have
--- to hold several positions.
+-- | The text before the rows, the rows, and the text after them. 'Nothing' if a word would have to
+-- hold several positions.
 rendered :: Format -> Profile -> Surface -> Table k -> Maybe (Builder, [Row], Builder)
 rendered format profile on table = case format of
   Csv -> Just (line "window,row,column", csvRows table, mempty)
@@ -135,7 +137,7 @@ wordLayout profile =
     none = until (>= area (profileShape profile)) (\n -> 256 * n + 255) 255
     digits = length (showHex none "")
 
--- | What a table of words is, in two lines.
+-- | The description of a table of words, in two lines.
 description :: Profile -> Surface -> WordLayout -> [String]
 description profile on layout =
   [ "pra-tactile memory table: packed window -> row * "

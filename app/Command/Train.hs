@@ -57,12 +57,14 @@ data Options = Options
     output :: FilePath
   }
 
-command :: Mod CommandFields (IO ExitStatus)
+command :: Subcommand
 command =
   subcommand
     "train"
-    "Train a network on images of symbols from a seed and write its weights; the default seed and \
-    \regimen give the shipped weights of shipped shapes."
+    "Train a network on a set of shapes"
+    "Train a network on images of symbols, from a seed, and write its weights. With the default \
+    \seed and regimen, shipped shapes give the shipped weights."
+    []
     [ "pra-tactile train --output network.txt",
       "pra-tactile train --regimen stopped --seed 1 --trace trace.csv --output network.json"
     ]
@@ -75,31 +77,43 @@ command =
           (("shipped", AsShipped) : [(trainingName t, ByPaper t) | t <- [Stated, Stopped, Manual]])
           "regimen"
           "REGIMEN"
-          "shipped (on rendered symbols, anew each round; default), or the paper's three stages on \
-          \pressed ones, each ending at an error of 0 (stated), the clean ones at 0.1 (stopped), \
-          \or at 0.1, 0.6 and 0.1 as in the toolbox's manual (manual)"
+          "shipped (default): on drawn symbols, new ones each round. The others are the paper's \
+          \three stages on pressed symbols; they end at an error of 0 (stated), of 0.1 in the \
+          \clean stages (stopped), or of 0.1, 0.6 and 0.1, as in the toolbox's manual (manual)"
           (value AsShipped)
         <*> flag
           True
           False
           ( long "without-noise"
-              <> help "No noisy images: of the paper's stages the middle one is left out"
+              <> help "Train without noisy images; of the paper's stages, leave out the middle one"
           )
         <*> seedOption (value shippedSeed <> showDefault)
-        <*> optionalFile "trace" "FILE.csv" "Write every epoch: error, gradient, rate and step"
+        <*> optionalFile
+          "trace"
+          "FILE.csv"
+          "Write every epoch to this file: error, gradient, rate \
+          \and step"
         <*> flag
           True
           False
           ( long "uncalibrated"
               <> help
-                "Do not press symbols to find how sure the network is: it is as sure as the \
-                \shipped one"
+                "Do not press symbols to calibrate the network's probabilities; take the \
+                \calibration of the shipped one"
           )
-        <*> optionalFile
-          "calibration"
+        <*> optional
+          ( orAlias "calibration" pathReader (action "file") $
+              fileOption
+                "network-calibration"
+                "FILE"
+                "Write the calibration of the network's probabilities to this file, for weights \
+                \that are written as text"
+          )
+        <*> fileOption
+          "output"
           "FILE"
-          "Write how sure the network is, as JSON has it, for weights as text"
-        <*> fileOption "output" "FILE" "The file of weights: JSON if its name ends in .json"
+          "Write the weights to this file, as JSON if its name ends \
+          \in .json"
 
 run :: AlphabetChoice -> Options -> IO ExitStatus
 run symbols options = do
@@ -146,12 +160,12 @@ run symbols options = do
 asJson :: Options -> Bool
 asJson options = takeExtension (output options) == ".json"
 
--- | Whether symbols are pressed to find how sure the network is: only where that is written.
+-- | Whether symbols are pressed to calibrate the network: only if the calibration is written.
 pressing :: Options -> Bool
 pressing options = calibrating options && (asJson options || isJust (sureness options))
 
--- | Say what a training for so many classes takes, before it begins; leaves with status 2 where
--- that is too much.
+-- | Say what a training for n classes takes, before it begins; leaves with status 2 if that is too
+-- much.
 announced :: Options -> Int -> IO ()
 announced options classes = do
   orTooMuch
@@ -193,14 +207,14 @@ timeText seconds
   where
     whole' n = counted (max 1 (round n :: Int))
 
--- | What the training of so many classes takes.
+-- | What the training for n classes takes.
 demandFor :: Options -> Int -> Demand
 demandFor options classes = case how options of
   AsShipped -> regimenDemand (regimenOf options classes) classes
   ByPaper training ->
     trainingDemand standardConditions training (middleOf options) classes
 
--- | How sure a network is, found on presses.
+-- | The calibration of a network, found on presses.
 calibratedWith :: Alphabet -> Network -> Int -> IO Calibration
 calibratedWith alphabet network seed' = do
   found <-
@@ -218,7 +232,8 @@ regimenName options = named ++ (if noise options then "" else "-without-noise")
       AsShipped -> "shipped"
       ByPaper training -> trainingName training
 
--- | The network, and its stages, each with its number: rounds, where it is trained as shipped.
+-- | The trained network, and its stages with their numbers. The shipped regimen has a stage for
+-- each round.
 trainedAs :: How -> Alphabet -> Options -> IO (Network, [(Int, Trace)])
 trainedAs AsShipped alphabet options = do
   network <-
@@ -226,7 +241,7 @@ trainedAs AsShipped alphabet options = do
       =<< withProgress
         (evenly (demandEpochs (demandFor options classes)) "epochs")
         (`follow` summed epochsIn training)
-  -- Each round is a stage of its own, for its batch is.
+  -- Each round has its own batch, so it is a stage of its own.
   pure (network, zip [1 ..] (map snd (roundsOf training)))
   where
     epochsIn step = if step == EpochDone then 1 else 0
@@ -251,7 +266,7 @@ trainedAs (ByPaper training) alphabet options = do
     most = demandEpochs (demandFor options classes)
     source = Presses (presetName Real) (presetSensor Real) (AmongTurns halfTurns)
 
--- | The regimen of the shipped networks, for so many classes.
+-- | The regimen of the shipped networks, for n classes.
 regimenOf :: Options -> Int -> Regimen
 regimenOf options classes
   | noise options = it

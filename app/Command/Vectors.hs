@@ -31,32 +31,55 @@ import System.FilePath
   )
 import Visible (visibleName)
 
--- | What is to be done.
+-- | The task.
 data Work
   = -- | Write the vectors of some operations, or all, and a profile, or all, into a folder.
     Make FilePath (Maybe SomeOp) (Maybe FilePath) Int
   | -- | Make all that are in a folder again, and compare.
     Check FilePath
 
-command :: Mod CommandFields (IO ExitStatus)
+command :: Subcommand
 command =
   subcommand
     "vectors"
-    "Write test vectors, a JSON file an operation and profile, FOLDER/OPERATION/PROFILE.json, or \
-    \exact.json of an operation that needs no profile; or \
-    \make those in a folder again and compare."
+    "Write or verify test vectors"
+    "Write test vectors, a JSON file for each operation and profile: \
+    \FOLDER/OPERATION/PROFILE.json, or exact.json for an operation that needs no profile. Or make \
+    \the vectors of a folder again and compare."
+    []
     [ "pra-tactile vectors --output vectors --operation locate",
-      "pra-tactile vectors --check data/vectors"
+      "pra-tactile vectors --compare data/vectors"
     ]
-    (run <$> (making <|> Check <$> folderOption "check" "Check the vectors in this folder"))
+    (run <$> (making <|> Check <$> checking))
   where
     operations = [(nameOf one, one) | one <- codeOperations ++ definedOperations]
+    checking =
+      orAlias
+        "check"
+        pathReader
+        (action "directory")
+        (folderOption "compare" "Make the vectors in this folder again, and compare")
     making =
       Make
-        <$> folderOption "output" "Write the vectors here; files of the same name are replaced"
+        <$> folderOption
+          "output"
+          "Write the vectors into this folder; files of the same names are \
+          \replaced"
         <*> optional
-          (choosing "operation" operations "operation" "NAME" "Of one operation" mempty)
-        <*> optionalFile "profile" "FILE" "Under the profile in this file (default: those shipped)"
+          ( choosing
+              "operation"
+              operations
+              "operation"
+              "NAME"
+              "Write only the vectors of this \
+              \operation"
+              mempty
+          )
+        <*> optionalFile
+          "profile"
+          "FILE"
+          "Use the profile in this file (default: the shipped \
+          \profiles)"
         <*> seedOption (value 1 <> showDefault)
 
 run :: Work -> IO ExitStatus
@@ -68,7 +91,7 @@ make :: FilePath -> Maybe SomeOp -> Maybe FilePath -> Int -> IO ExitStatus
 make folder chosen file seed = do
   profiles <- maybe (pure vectorProfiles) (fmap pure . named) file
   let among operations = maybe operations (\one -> filter (== one) operations) chosen
-      -- Those that need no profile are written where none is named.
+      -- Operations without a profile are written if no profile is named.
       sets =
         [(name, prepare profile, among codeOperations) | (name, profile) <- profiles]
           ++ [ ("exact", pure (Right withoutAProfile), operations)
@@ -93,7 +116,7 @@ make folder chosen file seed = do
   where
     testsOf = length . concatMap groupTests . vectorsGroups
 
--- | The profile in a file, with the name that it has among the default ones, or else the file's.
+-- | The profile in a file, with its name among the default profiles, or else the file's name.
 named :: FilePath -> IO (String, Profile)
 named file = do
   profile <- readProfile file
@@ -130,7 +153,7 @@ check folder = do
         Nothing -> go ready' (tests + length (statedTests stated)) others
         Just why -> NotAnswered <$ putStrLn ("bad: " ++ visibleName file ++ ": " ++ why)
 
--- | What is wrong with the place of a file, which is the folder of its operation.
+-- | The complaint about a file that does not lie in the folder of its operation.
 misplaced :: FilePath -> StatedVectors -> Maybe String
 misplaced file stated
   | takeFileName (takeDirectory file) == operation = Nothing
@@ -138,14 +161,14 @@ misplaced file stated
   where
     operation = nameOf (statedOperation stated)
 
--- | What is prepared for a profile, found among the last ones or made and kept with them.
+-- | The preparation for a profile: one of the latest, or a new one, which is then kept with them.
 preparedFor ::
   FilePath -> Profile -> [(Profile, Prepared)] -> IO (Prepared, [(Profile, Prepared)])
 preparedFor file profile ready = case lookup profile ready of
   Just found -> pure (found, ready)
   Nothing -> do
     made <- prepare profile >>= orUnusable (\why -> visibleName file ++ ": " ++ why)
-    -- As many as there are profiles shipped: each has its tables.
+    -- Keep as many as there are shipped profiles: each has large tables.
     pure (made, (profile, made) : take (length vectorProfiles) ready)
 
 -- | The files OPERATION/PROFILE.json in a folder, in order.

@@ -20,18 +20,18 @@ import Drawing
 import Graphics.Svg
 import PraTactile.Image (Raster, index, rasterHeight, rasterWidth)
 
--- | The file of a drawing on white paper, with this much room round it, and a title for those who
--- do not see it.
+-- | The SVG file of a drawing on white paper, with a margin and a title for people who do not see
+-- it.
 svgFile :: Double -> String -> Drawing -> Lazy.ByteString
 svgFile margin title drawing = svgSized number (marginal margin drawing) title drawing
 
--- | The same of a drawing that has so many units a millimetre and is to be as large as it says.
+-- | The SVG file of a drawing at true scale, given its units for a millimetre and a margin.
 svgToScale :: Double -> Double -> String -> Drawing -> Lazy.ByteString
 svgToScale unit margin title drawing =
   svgSized (inMillimetres unit) (marginal margin drawing) title drawing
 
--- | The file of a drawing with so many units a millimetre on a page of this width and height, whose
--- upper left corner is the origin.
+-- | The SVG file of a drawing at true scale on a page, given its units for a millimetre and the
+-- width and height of the page, whose upper left corner is the origin.
 svgPage :: Double -> (Double, Double) -> String -> Drawing -> Lazy.ByteString
 svgPage unit (wide, high) =
   svgSized (inMillimetres unit) (Extent 0 0 (unit * wide) (unit * high))
@@ -39,14 +39,14 @@ svgPage unit (wide, high) =
 inMillimetres :: Double -> Double -> Text
 inMillimetres unit units = number (units / unit) <> "mm"
 
--- | What a drawing takes up, and so much round it.
+-- | The bounding box of a drawing with a margin.
 marginal :: Double -> Drawing -> Extent
 marginal margin drawing = Extent (l - margin) (t - margin) (r + margin) (b + margin)
   where
     Extent l t r b = extentOf drawing
 
--- | The same on this paper, given how a length of so many units is written for what shows the
--- picture.
+-- | The SVG file of a drawing on paper of this extent, given how a length in units is written as an
+-- SVG length.
 svgSized :: (Double -> Text) -> Extent -> String -> Drawing -> Lazy.ByteString
 svgSized sized paper title drawing = renderBS root <> "\n"
   where

@@ -20,7 +20,7 @@ adviceErrorMessage e = case e of
   AdviceWindowTooLarge cells -> windowMessage (WindowTooLarge cells)
   AdviceTooLarge cells -> numeral cells ++ " cells are wanted; the adviser goes up to 2^128"
 
--- | What is possible, what is not, and what to type next.
+-- | The possible arrays, the impossible ones, and a command to try next.
 adviceLines :: Request -> Advice -> [String]
 adviceLines request (Advice options obstacles) = possible ++ impossible ++ next
   where
@@ -131,7 +131,7 @@ obstacleMessage obstacle =
         ++ " primitive polynomials"
     NotFactored n why -> "q^" ++ show n ++ " - 1 was not factored: " ++ factorMessage why
 
--- | What to type for an option with one array.
+-- | The command that proves an option with one array.
 commandFor :: Request -> Option -> Fit -> String
 commandFor request option fit =
   unwords

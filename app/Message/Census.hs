@@ -1,4 +1,4 @@
--- | What is wrong with census files, in words.
+-- | Messages about census files.
 module Message.Census
   ( censusFileMessage,
     mergeMessage,
@@ -13,7 +13,7 @@ import Message.Shards (partsMessage)
 import PraTactile.Format.Census.Merge
 import PraTactile.Format.Error
 
--- | What is wrong with a file, which stands before it.
+-- | The message about a file, with its name in front.
 censusFileMessage :: FilePath -> CensusFileError -> String
 censusFileMessage file fault = case fault of
   NoCensusHeader -> file ++ ": its first line is not that of a census"
@@ -77,8 +77,7 @@ mergeMessage fault = case fault of
       ++ show line
       ++ " is damaged: it does not have the folding, shape and window of its entry"
 
--- | What is said where damaged lines are left out: how many rows are kept, and how many lines are
--- not.
+-- | The notice that damaged lines are left out, with the numbers of kept rows and of lost lines.
 keptMessage :: FilePath -> Int -> Int -> String
 keptMessage file kept left =
   file

@@ -1,4 +1,4 @@
--- | What is wrong with certificates, in words.
+-- | Messages about certificates.
 module Message.Certificate
   ( certificateMessage,
     faultMessage,
@@ -27,28 +27,28 @@ certificateMessage e = case e of
     "the rank does not decide whether the windows on the "
       ++ surfaceName (surface verdict)
       ++ " are distinct; try --enumeration"
-  NotVisited _ -> "the windows are too many to visit, or for a digest; try --rank"
+  NotVisited _ -> "there are too many windows to visit, or for a digest; try --rank"
   PeriodNotFactored _ -> "q^n - 1 was not factored, which a certificate needs"
   PrimeNotShown p ->
     "the prime "
       ++ show p
       ++ " divides q^n - 1, and its primality was not proved in a way that a certificate can state"
 
--- | What is wrong with a certificate.
+-- | The message about a flaw of a certificate.
 faultMessage :: Fault -> String
 faultMessage fault = case fault of
   OrderNotOfModulus q ->
-    "q = " ++ show q ++ " is no power of a prime with the modulus's degree as exponent"
+    "q = " ++ show q ++ " is not a prime to the power of the modulus's degree"
   FieldFault why -> fieldMessage why
   PolynomialFault h -> "the polynomial " ++ list h ++ " is not monic with a constant term"
   PeriodFault stated terms ->
-    "the period is told to be " ++ show stated ++ ", but q^n - 1 is " ++ show terms
+    "the stated period is " ++ show stated ++ ", but q^n - 1 is " ++ show terms
   FactorsFault terms ->
     "the factors are not the ascending prime powers whose product is " ++ show terms
   PrimeFault p -> show p ++ " is not shown to be a prime"
   OrderFault -> "x^(q^n - 1) is not 1 modulo the polynomial"
   ResidueFault l ->
-    "the residue told for the prime " ++ show l ++ " is not x^((q^n - 1)/" ++ show l ++ ")"
+    "the residue stated for the prime " ++ show l ++ " is not x^((q^n - 1)/" ++ show l ++ ")"
   RootOrderFault l -> "the polynomial is not primitive: x^((q^n - 1)/" ++ show l ++ ") is 1"
   StateFault s -> "the initial state " ++ list s ++ " does not start the sequence"
   AreaFault shape -> "the shape " ++ shapeText shape ++ " does not have q^n - 1 cells"
@@ -58,8 +58,8 @@ faultMessage fault = case fault of
   ExtentFault (Shape high wide) ->
     "the profile's window is not the extent of the mask, " ++ shapeText (Shape high wide)
   WindowsFault stated there ->
-    show stated ++ " windows are told, but the surface has " ++ show there
-  SurfaceFault on -> "the rank decides nothing on the " ++ surfaceName on ++ " of this fold"
+    "the certificate states " ++ show stated ++ " windows, but the surface has " ++ show there
+  SurfaceFault on -> "the rank does not decide it on the " ++ surfaceName on ++ " of this fold"
   VectorFault i ->
     "the vector of cell "
       ++ show i
@@ -67,11 +67,11 @@ faultMessage fault = case fault of
   CellsFault cells ->
     "the cells " ++ list cells ++ " are not n ascending indices of the mask's cells"
   InverseFault ->
-    "the matrix told is not the inverse of the chosen vectors, so the rank is not shown"
+    "the stated matrix is not the inverse of the chosen vectors, so the rank is not shown"
   ArrayFault why -> profileMessage why
   SizeFault why -> foldMessage why
-  RepeatedFault -> "two windows are the same, or they are too many for a digest"
-  DigestFault _ computed -> "the digest of the windows is " ++ computed ++ ", not the one told"
+  RepeatedFault -> "two windows are equal, or there are too many for a digest"
+  DigestFault _ computed -> "the digest of the windows is " ++ computed ++ ", not the stated one"
   where
     list :: [Natural] -> String
     list = intercalate "," . map show

@@ -19,8 +19,7 @@ chanceText found =
   where
     bound = if chanceExact found then "" else "at most "
 
--- | What there is to warn of: random symbols would be located in more than a hundredth of all
--- cases.
+-- | The warning that random symbols would be located in more than a hundredth of all cases.
 chanceWarning :: Chance -> Maybe String
 chanceWarning found
   | chanceShare found > 0.01 =
@@ -39,7 +38,7 @@ shareText share = number ++ " %"
       | percent == 100 = "100"
       | otherwise = showFFloat (Just 1) percent ""
 
--- | What the certain cells do not check, although they check something.
+-- | What the certain cells do not check, if they check anything.
 unchecked :: Checks -> [String]
 unchecked checks =
   [ "nothing checks how " ++ these ++ " lie to each other: each of the "

@@ -1,4 +1,4 @@
--- | The errors of fields, polynomials, arrays and windows in words.
+-- | Messages about fields, polynomials, arrays and windows.
 module Message.Code
   ( fieldMessage,
     polynomialMessage,
@@ -44,13 +44,13 @@ fieldMessage e = case e of
   CodeOutOfRange c q ->
     "the code "
       ++ show c
-      ++ " is no element of GF("
+      ++ " is not an element of GF("
       ++ show q
       ++ "): codes are 0 to "
       ++ show (toInteger q - 1)
   DivisionByZero -> "division by zero"
   ElementUnreadable text ->
-    show text ++ " is no element; write a code (0, 1, 2, ...) or a power of A (A, A^2, ...)"
+    show text ++ " is not an element; write a code (0, 1, 2, ...) or a power of A (A, A^2, ...)"
 
 list :: [Natural] -> String
 list = intercalate "," . map show
@@ -58,7 +58,7 @@ list = intercalate "," . map show
 polynomialMessage :: PolynomialError -> String
 polynomialMessage e = case e of
   PolynomialConstant ->
-    "the polynomial has degree 0; its degree is the length of the shift register"
+    "the polynomial has degree 0; the degree, the length of the shift register, must be 1 or more"
   PolynomialNotMonic c ->
     "the polynomial is not monic: its last coefficient is " ++ show c ++ ", not 1"
   ConstantTermZero -> "the polynomial's constant term is 0, so it is not primitive"
@@ -79,9 +79,9 @@ factorMessage e = case e of
       ++ numeral b
       ++ "^"
       ++ numeral n
-      ++ " - 1 are needed, and numbers beyond 2^1024 are not factored"
+      ++ " - 1 are needed, but numbers above 2^1024 are not factored"
 
--- | A number in digits, or how many it has if these would fill the line.
+-- | A number in digits, or the number of its digits if they would fill a line.
 numeral :: Natural -> String
 numeral n
   | length digits <= 80 = digits
@@ -93,7 +93,7 @@ sequenceMessage :: SequenceError -> String
 sequenceMessage e = case e of
   StateLength given n ->
     "the initial state has " ++ show given ++ " elements; the shift register has " ++ show n
-  StateZero -> "the initial state is all zeros, and so would be the sequence"
+  StateZero -> "the initial state is all zeros; at least one element must not be 0"
 
 foldMessage :: FoldError -> String
 foldMessage e = case e of
@@ -130,10 +130,9 @@ windowMessage e = case e of
   WindowTooLarge cells -> "the window has " ++ numeral cells ++ " cells, more than 4096"
   OffsetRepeated (Position r c) -> "the window has the cell " ++ show r ++ "," ++ show c ++ " twice"
   DrawingCharacter c ->
-    "a mask is drawn with # for a cell that is observed, . for one that is not and / or line ends \
-    \between rows; "
+    "the mask has the character "
       ++ show c
-      ++ " is none of them"
+      ++ "; write # for an observed cell, . for another, and / or a line end between rows"
   DrawingRagged i given needs ->
     "row "
       ++ show (i + 1)
@@ -141,7 +140,7 @@ windowMessage e = case e of
       ++ show given
       ++ " cells, the first has "
       ++ show needs
-  PackedOutOfRange n -> show n ++ " packs no window"
+  PackedOutOfRange n -> show n ++ " is not a packed window"
 
 gridMessage :: GridError -> String
 gridMessage e = case e of
@@ -177,13 +176,13 @@ profileMessage e = case e of
 proofMessage :: ProofError -> String
 proofMessage e = case e of
   NoWindowOnSheet -> "no window of this shape lies on the sheet"
-  ArrayTooLarge why -> foldMessage why ++ ", and the rank decides nothing here"
+  ArrayTooLarge why -> foldMessage why ++ ", and the rank does not decide it"
   WindowsTooMany contents places ->
     "visiting every window needs too much memory ("
       ++ numeral contents
       ++ " contents at "
       ++ numeral places
-      ++ " positions), and the rank decides nothing here"
+      ++ " positions), and the rank does not decide it"
   MethodsDisagree verdict ->
     "enumeration and rank contradict each other on the "
       ++ surfaceName (surface verdict)
@@ -198,5 +197,5 @@ censusMessage e = case e of
   CensusTooManyShapes shapes limit ->
     "q^n - 1 has "
       ++ numeral shapes
-      ++ " divisors, and each is the number of rows of an array; a census goes through at most "
+      ++ " divisors, each the number of rows of an array; a census has at most "
       ++ show limit

@@ -1,4 +1,4 @@
--- | Why nothing is embossed, in words.
+-- | Messages about embossing.
 module Message.Emboss
   ( embossMessage,
     misshapenMessage,
@@ -32,8 +32,8 @@ embossMessage e = case e of
       ++ show y
       ++ " below its upper left corner: no solid is so thin"
   TooManySymbols count ->
-    show count ++ " symbols are more than are raised at once, " ++ show mostSymbols
-      ++ "; lay fewer, or name one --face"
+    show count ++ " symbols are too many to raise at once; lay at most " ++ show mostSymbols
+      ++ ", or name one --face"
   TooThin height thickness ->
     "the symbols are " ++ exactText height ++ " mm high; a plate of " ++ exactText thickness
       ++ " mm is not thicker than that: choose another --thickness"
@@ -64,8 +64,8 @@ misshapenMessage object precision e = case e of
          \smaller symbols"
   Irrational points ->
     "coordinates of " ++ counted points "point" "points"
-      ++ " are no fractions, and the format json has fractions alone; choose another --format, or \
-         \another end of the file's name"
+      ++ " are no fractions, but the format json holds only fractions; choose another --format, or \
+         \another ending of the file's name"
   where
     (held, instead) = case precision of
       Binary32 ->
@@ -85,7 +85,7 @@ noNetMessage object why =
     NoneFound -> "no net was found, and there may be one"
     SeveralPieces -> "it is of several pieces, which cannot be unfolded together"
 
--- | That a face has no room on a page of this size.
+-- | The message that a face has no room on a page of this size.
 pageMessage :: ObjectName -> (Double, Double) -> FaceName -> String
 pageMessage object (wide, high) face =
   "the face " ++ visible (faceText face) ++ " of the " ++ visible (objectText object)

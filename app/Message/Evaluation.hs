@@ -1,4 +1,4 @@
--- | What is wrong with the files of evaluations' shards, in words.
+-- | Messages about the files of evaluations' shards.
 module Message.Evaluation
   ( evaluationFileMessage,
     otherEvaluationMessage,
@@ -12,7 +12,7 @@ import Message.Shards (partsMessage)
 import PraTactile.Format.Evaluation
 import Visible (visibleName)
 
--- | What is wrong with a file.
+-- | The message about a file.
 evaluationFileMessage :: FilePath -> EvaluationFileError -> String
 evaluationFileMessage file fault = case fault of
   NoShard why -> formatMessage (visibleName file) "a file of 'pra-tactile evaluate --shard'" why
@@ -22,10 +22,10 @@ evaluationFileMessage file fault = case fault of
   OtherEnding line -> on line ++ " is not what the presses before it come to" ++ cut
   where
     on line = visibleName file ++ ": line " ++ show line
-    cut = "; cut it off with all after it, and run its shard again"
+    cut = "; delete it and all lines after it, and run its shard again"
 
--- | Where a file that is to be continued has something else in it, perhaps of another shard: the
--- keys in which its first line differs.
+-- | The message about a file that cannot be continued, perhaps since it belongs to another shard;
+-- given the keys in which its first line differs.
 otherEvaluationMessage :: FilePath -> [String] -> String
 otherEvaluationMessage file keys =
   visibleName file
@@ -33,7 +33,7 @@ otherEvaluationMessage file keys =
     ++ (if null keys then "" else " (" ++ keysText keys ++ ")")
     ++ "; give another --output"
 
--- | In which keys shards differ.
+-- | The keys in which shards differ, in words.
 keysText :: [String] -> String
 keysText keys = "other " ++ intercalate ", " (map told keys)
   where

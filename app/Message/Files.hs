@@ -1,4 +1,4 @@
--- | What is wrong with files and folders, in words.
+-- | Messages about files and folders.
 module Message.Files
   ( ManifestPresence (..),
     filesMessage,
@@ -48,20 +48,20 @@ filesMessage e = case e of
     path
       ++ " is larger than "
       ++ show (limit `div` (1024 * 1024))
-      ++ " MiB, which no input of this kind needs"
+      ++ " MiB, the limit for inputs of this kind"
   Unreadable path why -> "cannot read " ++ path ++ ": " ++ why
   where
     header = intercalate "," (map Text.unpack manifestHeader)
 
--- | Of a folder of frames, or of a whole image.
+-- | The message about a folder of frames, or a whole image.
 sourceMessage :: FilePath -> SourceError -> String
 sourceMessage folder e = case e of
   ImageElsewhere name ->
     folder ++ ": the frame " ++ show name ++ " is not a file in the manifest's folder"
   PositionAbsent name ->
     folder ++ ": the manifest does not say where " ++ show name
-      ++ " was pressed (x_mm, y_mm, rotation_deg), which only 'calibrate' can do without"
-  ImageAbsent name -> folder ++ ": the frame " ++ show name ++ " is not there"
+      ++ " was pressed (x_mm, y_mm, rotation_deg); only 'calibrate' needs no positions"
+  ImageAbsent name -> folder ++ ": the frame " ++ show name ++ " is missing"
   ImageSize name (w, h) (w', h') ->
     (folder </> name) ++ " is " ++ by w h ++ " taxels; the manifest says " ++ by w' h'
   ImageRefused name why -> fileMessage (folder </> name) why
@@ -72,22 +72,22 @@ sourceMessage folder e = case e of
   CalibrationRefused why -> folder ++ ": " ++ calibrationMessage why
   ImagePitch pitch ->
     rangeText (folder ++ ": the distance of its pixels in millimetres") taxelPitches
-      ++ "; it is said to be "
+      ++ "; it is stated as "
       ++ show pitch
   ImageTooLarge (w, h) ->
     folder ++ " would have " ++ by w h ++ " pixels of 1.5875 mm; at most "
       ++ show maxImagePixels
-      ++ " are examined; is --taxel right?"
+      ++ " are allowed; is --taxel right?"
   where
     by w h = show w ++ " x " ++ show h
 
--- | Of a movie.
+-- | The message about a movie.
 movieMessage :: FilePath -> SourceError -> String
 movieMessage file e = case e of
   ImageRefused _ why -> fileMessage file why
   _ -> sourceMessage file e
 
--- | Of what is decoded, a folder of frames or an image.
+-- | The message about a source of @decode@, a folder of frames or an image.
 decodeMessage :: FilePath -> DecodeError -> String
 decodeMessage path e = case e of
   ArrayRefused why -> profileMessage why
@@ -99,14 +99,14 @@ decodeMessage path e = case e of
   FileRefused why -> fileMessage (if path == "-" then "the standard input" else path) why
   FramesRefused why -> path ++ ": " ++ stitchMessage why
 
--- | Of an image.
+-- | The message about an image.
 fileMessage :: FilePath -> ImageError -> String
 fileMessage file why = file ++ ": " ++ imageMessage why
 
 -- | Whether a folder has a manifest.
 data ManifestPresence = WithManifest | WithoutManifest
 
--- | Of images in a folder, this many, which have the size of a frame but stand in no manifest.
+-- | The warning about n images in a folder that have the size of a frame but are in no manifest.
 loneFramesMessage :: FilePath -> ManifestPresence -> Int -> String
 loneFramesMessage folder manifest count =
   ( case manifest of

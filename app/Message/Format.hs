@@ -1,4 +1,4 @@
--- | What is wrong with JSON and census files, in words.
+-- | Messages about JSON and census files.
 module Message.Format
   ( formatMessage,
     jsonMessage,
@@ -20,7 +20,8 @@ import PraTactile.Format.Json.Strict (deepest, longestNumber)
 import PraTactile.PlainText
 import Visible
 
--- | Of a file, and what it should be; the place is named as in @profile.shape[1]@.
+-- | The message about a file, given a description of the wanted file. A place in it is named as in
+-- @profile.shape[1]@.
 formatMessage :: FilePath -> String -> FormatError -> String
 formatMessage file wanted e = case e of
   CensusFileRefused why -> censusFileMessage file why
@@ -30,22 +31,22 @@ formatMessage file wanted e = case e of
   where
     notWanted why = file ++ " is not " ++ wanted ++ ": " ++ why
 
--- | Of JSON, as a clause.
+-- | The message about JSON, as a clause.
 jsonMessage :: JsonError -> String
 jsonMessage e = case e of
   NoText -> "it is empty"
-  TooDeep -> "it has more than " ++ show deepest ++ " brackets within each other"
+  TooDeep -> "its brackets are nested more than " ++ show deepest ++ " deep"
   TooLong -> "it has a number of more than " ++ show longestNumber ++ " digits"
   NotUtf8 -> "it is not UTF-8 text"
   JsonInEncoding encoding -> "it" ++ encodingMessage encoding
   NotJson -> "it is not JSON"
   RepeatedKey name -> "the key " ++ quoted (Text.unpack name) ++ " is given twice"
 
--- | What a text of another encoding is, after its subject.
+-- | The predicate about a text in another encoding, which follows its subject.
 encodingMessage :: OtherEncoding -> String
 encodingMessage encoding = " is " ++ encodingName encoding ++ "; save it as UTF-8"
 
--- | What bytes are that should be a text, after their subject.
+-- | The predicate about bytes that are no UTF-8 text, which follows their subject.
 notUtf8Message :: NotUtf8Text -> String
 notUtf8Message why = case why of
   InEncoding encoding -> encodingMessage encoding
@@ -59,7 +60,7 @@ placeText place = case place of
     step (Key key) = '.' : visible (Key.toString key)
     step (Index i) = "[" ++ show i ++ "]"
 
--- | What a number may be that has this name.
+-- | The statement of the range of a number with this name.
 rangeText :: String -> (Double, Double) -> String
 rangeText name (least, most) = name ++ " is from " ++ number least ++ " to " ++ number most
   where
@@ -67,7 +68,7 @@ rangeText name (least, most) = name ++ " is from " ++ number least ++ " to " ++ 
       | v == fromIntegral (round v :: Int) = show (round v :: Int)
       | otherwise = showFFloat Nothing v ""
 
--- | A positive number to so many significant figures, without zeros behind the last one.
+-- | A positive number to this many significant figures, without trailing zeros.
 --
 -- >>> figures 4 0.79375
 -- "0.7938"
@@ -94,7 +95,7 @@ misfitMessage misfit = case misfit of
   BeyondMillion -> "a number of at most a million is needed"
   NotPair -> "a list of two is needed"
   NotShard -> "a shard is a list of two numbers, the first of them from 1 to the second"
-  NotListed -> "its presses are not listed in it, or its first line is cut off"
+  NotListed -> "it does not list its presses, or its first line is cut off"
   NotOutcome -> "an outcome has one key: right or wrong, with a doubt, or refused, with a reason"
   NotShape -> "a shape is a list of two numbers, rows and columns"
   NotCell -> "a cell of the mask is a list of two numbers, row and column"
@@ -121,7 +122,7 @@ misfitMessage misfit = case misfit of
   NotMatrix 1 n -> "a list of " ++ show n ++ " numbers is needed"
   NotMatrix m n -> "a list of " ++ show m ++ " lists of " ++ show n ++ " numbers is needed"
   OtherCount n -> show n ++ " is needed"
-  OtherDigest -> "the digest is not that of the contents; they were changed, or are not whole"
+  OtherDigest -> "the digest is not that of the contents; they were changed or cut off"
   NotRotation -> "a rotation is needed: rows of length 1, at right angles, and no mirroring"
   NotAngle -> "a number from 0 up to 360 is needed, within 45 of orientation_deg"
   RegionTooLarge limit -> "a region has at most " ++ show limit ++ " taxels a side"

@@ -1,4 +1,4 @@
--- | The errors of locating in words.
+-- | Messages about locating.
 module Message.Locate
   ( locateMessage,
     locatorMessage,
@@ -46,11 +46,11 @@ locatorMessage e = case e of
   LocatorImpossible infeasible tooLarge ->
     algebraMessage infeasible ++ "; and " ++ locateMessage tooLarge
   ProbabilitiesRefused _ ->
-    "probabilities are for the comparison with all positions; leave out --road"
+    "probabilities cannot be used with --road; leave out --road"
   NothingCorrected _ ->
-    "errors are corrected on arrays of up to 2^20 cells, or where positions are discrete \
-    \logarithms that can be taken; leave out --radius"
-  NoSymmetry -> "there is no orientation in which the patches may be seen"
+    "errors cannot be corrected on this array: it has more than 2^20 cells, and its discrete \
+    \logarithms cannot be taken; leave out --radius"
+  NoSymmetry -> "no orientation of the patches is allowed; allow at least one"
 
 setupMessage :: SetupError -> String
 setupMessage e = case e of
@@ -85,13 +85,14 @@ decodingMessage :: DecodingError -> String
 decodingMessage e = case e of
   DecodingAlgebra why -> algebraMessage why
   DecodingTooLong cleared more limit ->
-    "no position differs in fewer than " ++ show cleared ++ " cells; to look further, " ++ show more
-      ++ " more words would have to be looked at, and at most "
+    "no position differs in fewer than " ++ show cleared ++ " cells; to search further, "
+      ++ show more
+      ++ " words would be examined, above the limit of "
       ++ show limit
-      ++ " are; give a smaller --radius"
+      ++ "; give a smaller --radius"
   DecodingTooMany e' ->
     "very many positions differ in " ++ show e' ++ " cells; give a smaller --radius, or more cells"
-  DecodingOtherCells -> "other cells were prepared for"
+  DecodingOtherCells -> "the decoder was prepared for other cells"
 
 beliefMessage :: BeliefError -> String
 beliefMessage e = case e of

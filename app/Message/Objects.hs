@@ -1,4 +1,4 @@
--- | The errors of objects, placement, relief and store in words.
+-- | Messages about objects, placements, relief and databases.
 module Message.Objects
   ( objectMessage,
     placementMessage,
@@ -49,7 +49,7 @@ import PraTactile.SymbolImages (ImagesError (..))
 import Text.Printf (printf)
 import Visible (quoted, visible)
 
--- | What is wrong with an object, where, and by how much.
+-- | The message about a defect of an object: what, where, and by how much.
 objectMessage :: Defect -> String
 objectMessage (Defect kind faces vertices measure) = case kind of
   NoFaces -> "the object has no faces"
@@ -121,21 +121,21 @@ placementFileMessage file e = case e of
   ObjectBroken object why -> file ++ ": the " ++ objectText object ++ ": " ++ objectMessage why
   PlacementRefused why -> file ++ ": " ++ placementMessage why
 
--- | Where symbols are so many times as large as the paper's.
+-- | The message for an experiment, given the size of the symbols relative to the paper's.
 experimentMessage :: Double -> ExperimentError -> String
 experimentMessage larger e = case e of
   ReliefRefused why -> reliefMessage why
   PressesRefused why -> probeMessage why
   BendRefused least -> bendMessage (larger * least)
 
--- | What the radius of a cylinder must exceed, millimetres.
+-- | The message about a bend that is too sharp, given the least radius in millimetres.
 bendMessage :: Double -> String
 bendMessage least =
   "--bend is a radius of more than " ++ hundredths least
     ++ " mm, half the diagonal of what the sensor feels"
 
--- | Where symbols are so many times as large as the paper's, and where the region's upper left
--- corner was asked for, if it was, millimetres on the face.
+-- | The message for a press, given the size of the symbols relative to the paper's, and the upper
+-- left corner of the region, in millimetres on the face, if it was chosen.
 pressMessage :: Double -> Maybe (Double, Double) -> PressError -> String
 pressMessage larger asked e = case e of
   ObjectRefused why -> placementMessage why
@@ -182,11 +182,12 @@ storeMessage e = case e of
   CannotWrite file why -> "cannot write " ++ file ++ ": " ++ failureMessage why
   Occupied file DanglingLink -> file ++ " is a link to nothing; " ++ elsewhere
   Occupied file NoRegularFile ->
-    file ++ " is no regular file, and a database needs one; " ++ elsewhere
-  Occupied file NoStore -> file ++ " is something else and is left as it is; " ++ elsewhere
+    file ++ " is not a regular file, which a database needs; " ++ elsewhere
+  Occupied file NoStore ->
+    file ++ " is not a database of this program and is left as it is; " ++ elsewhere
   Occupied name OtherTables ->
     name
-      ++ " has tables of something else, of the same names, which are left as they are; name \
+      ++ " has tables of the same names that belong to something else, and is left as it is; name \
          \another database, or another schema in it"
   NotADatabase file -> file ++ " is not an SQLite database"
   DamagedFile file BrokenPages ->
@@ -221,11 +222,11 @@ storeMessage e = case e of
     addressForm
       ++ "; in names and values other characters than letters and digits are written as %40 and so \
          \on; or by settings, host=HOST dbname=NAME"
-  UnknownScheme scheme -> "no database is named by " ++ scheme ++ "://; " ++ addressForm
+  UnknownScheme scheme -> "a database cannot be named by " ++ scheme ++ "://; " ++ addressForm
   WithoutServers name ->
     name
-      ++ " cannot be asked: this program has no PostgreSQL, as no static one has; one that is \
-         \built where the library persistent-postgresql is installed has"
+      ++ " cannot be used: this program was built without PostgreSQL; build it (not as a static \
+         \program) where the library persistent-postgresql is installed"
   Unreachable name why -> "cannot connect to " ++ name ++ ": " ++ failureMessage why
   WrongEncoding name encoding ->
     name ++ " has texts in the encoding " ++ encoding ++ "; a database with UTF8 is needed here"

@@ -1,4 +1,4 @@
--- | Why shards are not a whole, in words.
+-- | Messages about shards that are incomplete or overlap.
 module Message.Shards
   ( partsMessage,
   )
@@ -8,7 +8,8 @@ import Data.List (intercalate)
 import Message.Code (numeral)
 import PraTactile.Format.Shards
 
--- | Why parts of one name, and of another where there are many, are not a whole.
+-- | The message about incomplete or overlapping parts, given their noun in the singular and the
+-- plural.
 partsMessage :: String -> String -> PartsError -> String
 partsMessage one many why = case why of
   PartTwice part a b ->

@@ -1,4 +1,4 @@
--- | What is wrong with files and names of polyhedra, in words.
+-- | Messages about files and names of polyhedra.
 module Message.Solid
   ( solidFileMessage,
     solidNameMessage,
@@ -11,7 +11,7 @@ import PraTactile.Format.Solid
 import PraTactile.Object.Tolerance (TooFine (..))
 import Visible
 
--- | Of a file, in a format.
+-- | The message about a file, given its format.
 solidFileMessage :: FilePath -> SolidFormat -> SolidFileError -> String
 solidFileMessage file format e = case e of
   ObjectRefused why -> formatMessage (visibleName file) "an object" why
@@ -40,7 +40,7 @@ solidFileMessage file format e = case e of
       FileInEncoding encoding -> "this file" ++ encodingMessage encoding
       NoCommonDenominator -> "the coordinates have no common denominator below 2^20000"
 
--- | Of a name that is to have another form.
+-- | The message about a malformed name, given the right form.
 solidNameMessage :: String -> String -> String
 solidNameMessage given form =
   quoted given ++ " is no solid: write " ++ form

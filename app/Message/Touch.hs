@@ -1,4 +1,4 @@
--- | The touch wing's errors in words.
+-- | Messages about images, frames, sensors, shapes and networks.
 module Message.Touch
   ( imageMessage,
     manifestMessage,
@@ -77,14 +77,14 @@ imageMessage e = case e of
     "the file is cut off: " ++ show needs ++ " samples are announced, " ++ show has ++ " are there"
   SampleAboveMaxval place v top ->
     "the sample at " ++ at place ++ " is " ++ show v ++ ", above the maximum value " ++ show top
-  TrailingData n -> show n ++ " bytes follow the image, and are none"
+  TrailingData n -> show n ++ " bytes after the image belong to no image"
   IsMovie n ->
     "a movie of " ++ show n
       ++ " frames; --poses FILE tells where they were pressed, FILE#0 is the \
          \first of them"
   NoSuchImage i n ->
     "there is no frame #" ++ show i ++ "; the file has " ++ show n ++ ", from #0 on"
-  NumpyHeader -> "the .npy header is none"
+  NumpyHeader -> "the .npy header is not valid"
   NumpyType descr ->
     "the .npy type is " ++ Bytes8.unpack descr ++ "; u1, u2, i2, i4, f4 and f8 are read"
   NumpyShape shape ->
@@ -97,7 +97,7 @@ imageMessage e = case e of
     PngColour -> "the PNG file has colours; save it as grey"
   ImageInEncoding encoding -> "the text" ++ encodingMessage encoding
   NotNumber line field found ->
-    "line " ++ show line ++ ", number " ++ show field ++ " is " ++ show found ++ ", no number"
+    "line " ++ show line ++ ", number " ++ show field ++ " is " ++ show found ++ ", not a number"
   DecimalComma line found ->
     "line " ++ show line ++ " has a decimal comma, " ++ show found ++ "; write a decimal point"
   TekscanHeader key -> "the header of the Tekscan export has no usable " ++ key
@@ -108,7 +108,7 @@ imageMessage e = case e of
     by (w, h) = show w ++ " x " ++ show h
     at (x, y) = show x ++ "," ++ show y
 
--- | What a file that begins so is, if that is known.
+-- | The format of a file that begins with these bytes, in words, if it is known.
 formatText :: ByteString -> String
 formatText start
   | Just name <- formatName start = ": it is " ++ name
@@ -151,7 +151,7 @@ manifestMessage e = case e of
         all isDigit (dropWhile (`elem` "+- ") whole) && all isDigit fraction
       _ -> False
 
--- | Of a movie's poses.
+-- | The message about a movie's poses.
 posesMessage :: ManifestError -> String
 posesMessage e = case e of
   EmptyManifest -> "there are no poses"
@@ -175,7 +175,7 @@ probeMessage e = case e of
 stitchMessage :: StitchError -> String
 stitchMessage e = case e of
   NoFrames -> "there are no frames"
-  TooManyFrames n -> show n ++ " frames are more than are assembled at once"
+  TooManyFrames n -> show n ++ " frames are too many to assemble at once"
   FrameSize i w h ->
     "frame "
       ++ show (i + 1)
@@ -194,26 +194,24 @@ stitchMessage e = case e of
     "frame " ++ show (i + 1) ++ " has a value or a pose that is not a finite number"
   FramePitch i pitch ->
     rangeText ("the distance of frame " ++ show (i + 1) ++ "'s taxels in millimetres") taxelPitches
-      ++ "; it is said to be "
+      ++ "; it is stated as "
       ++ show pitch
   TooManyFramePixels n ->
     "the frames have " ++ show n ++ " pixels together, of 1.5875 mm or as given; at most "
       ++ show maxFramePixels
-      ++ " are put together"
+      ++ " can be put together"
   TooMuchToRegister (ComparedPixels n) ->
-    "so many frames lie so near each other that they would be compared in " ++ show n
-      ++ " pixels; at most "
+    "too many frames lie near each other: comparing them would take " ++ show n
+      ++ " pixels, above the limit of "
       ++ show maxComparisons
-      ++ " are"
   TooMuchToRegister (PairPixels n) ->
-    "so many frames overlap that their pairs would be compared in " ++ show n
-      ++ " pixels; at most "
+    "too many frames overlap: comparing their pairs would take " ++ show n
+      ++ " pixels, above the limit of "
       ++ show maxPairPixels
-      ++ " are"
   TooMuchToRegister (LatticePixels n) ->
     "a frame has " ++ show n ++ " pixels of 1.5875 mm; at most "
       ++ show maxLatticePixels
-      ++ " are held against the lattice"
+      ++ " can be compared with the lattice"
   UnusableRegistration _ ->
     "the registration's settings are unusable: sigma must be positive, noise not negative, the \
     \search radius 0 to 64 taxels"
@@ -228,7 +226,7 @@ stitchMessage e = case e of
       | side < 1e9 = show (ceiling side :: Integer)
       | otherwise = printf "%.1e" side
 
--- | That frames contradict each other, and what would mend it.
+-- | The message that frames contradict each other, with the options that would mend it.
 contradictionMessage :: Contradiction -> String
 contradictionMessage contradiction = case contradiction of
   AgreeingAlong axes ->
@@ -273,7 +271,7 @@ remediesText = intercalate " or " . map options
             ++ ["--image-axes " ++ axesName axes | Just axes <- [images]]
         )
 
--- | A scale of positions in words, with the unit that it is of, if it is one's.
+-- | A scale of positions in words, with the unit that has this scale, if there is one.
 scaleText :: Double -> Double -> String
 scaleText across down
   | across == down = figures 3 across ++ maybe "" of' (unitOf across)
@@ -281,7 +279,7 @@ scaleText across down
   where
     of' (_, unit) = " (are they in " ++ unit ++ "?)"
 
--- | The same as the option takes it.
+-- | A scale of positions as @--position-scale@ takes it.
 scaleOption :: Double -> Double -> String
 scaleOption across down
   | across == down = factor across
@@ -289,7 +287,7 @@ scaleOption across down
   where
     factor s = figures 5 (maybe s fst (unitOf s))
 
--- | The unit that has so many millimetres, to three hundredths.
+-- | The unit of this length in millimetres, to within 3 %.
 unitOf :: Double -> Maybe (Double, String)
 unitOf scale = find (\(millimetres, _) -> abs (scale / millimetres - 1) < 0.03) units
   where
@@ -334,7 +332,7 @@ shapeMessage e = case e of
   BlankShape named -> "the shape " ++ Text.unpack named ++ " is blank"
   RepeatedName named -> "two shapes are named " ++ Text.unpack named
   RepeatedShape a b -> "the shapes " ++ Text.unpack a ++ " and " ++ Text.unpack b ++ " are the same"
-  BadName named -> show (Text.unpack named) ++ " is no name for a shape"
+  BadName named -> show (Text.unpack named) ++ " is not a valid name of a shape"
   UnknownClass c n -> "there is no shape for code " ++ show c ++ ": the alphabet has " ++ show n
   UnreadableLine line text ->
     "line "
@@ -364,9 +362,10 @@ networkMessage e = case e of
   LayersDoNotFit -> "the network's layers do not fit each other"
   NotFinite -> "a weight of the network is not a finite number"
   WrongOutputCount given needs ->
-    "the network tells " ++ show given ++ " classes, the alphabet has " ++ show needs
+    "the network has " ++ show given ++ " classes, but the alphabet has " ++ show needs
   EmptyBatch -> "there are no images to train with"
-  NoSuchClass given needs -> "class " ++ show given ++ " is none of the alphabet's " ++ show needs
+  NoSuchClass given needs ->
+    "there is no class " ++ show given ++ ": the alphabet has " ++ show needs
   NetworkNotText -> "the network file is not UTF-8 text"
   NetworkInEncoding encoding -> "the network file" ++ encodingMessage encoding
   UnexpectedNetworkLine line expected found ->

@@ -1,8 +1,7 @@
 {-# LANGUAGE OverloadedStrings #-}
 
--- | How frames were put together, as a picture: the composite, where each frame should have been
--- and where it was found, which frames hang together, and what there is to say of those that do
--- not.
+-- | The stitching of frames as a picture: the composite, where each frame should have been and
+-- where it was found, the groups of overlapping frames, and remarks.
 module Picture.Assembly
   ( assemblyDrawing,
     assemblySvg,
@@ -133,7 +132,7 @@ foundMark unit frame =
 robots :: Text
 robots = "#8a9099"
 
--- | Where a frame's centre is when its correction is enlarged so many times.
+-- | Where a frame's centre is if its correction is enlarged by this factor.
 moved :: Double -> Shown -> (Double, Double)
 moved times frame = (x + times * dx, y + times * dy)
   where
@@ -201,7 +200,7 @@ enlargement frames = maximum (1 : [times | times <- [2, 5, 10, 20, 50, 100], tim
     longest = maximum (1e-6 : map (size . registeredShift . shownFrame) frames)
     size (dx, dy) = sqrt (dx * dx + dy * dy)
 
--- | What the marks mean; the corrections with their scale.
+-- | The legend of the marks, and of the corrections with their scale.
 legend :: Double -> [Shown] -> Double -> Double -> Drawing
 legend room frames times unit = flowing 10 room (map entry entries)
   where
@@ -226,7 +225,7 @@ legend room frames times unit = flowing 10 room (map entry entries)
              )
            ]
 
--- | What there is to say in words.
+-- | Remarks on the assembly, in words.
 remarks :: Assembly -> [Shown] -> [String]
 remarks made frames = residual : correction : groups ++ doubtful
   where

@@ -1,6 +1,6 @@
 {-# LANGUAGE OverloadedStrings #-}
 
--- | The left side of the picture of a recognition: what was felt, and what was made of it.
+-- | The left side of the picture of a recognition: the composite and how it was read.
 module Picture.Composite
   ( compositePanel,
 
@@ -28,7 +28,7 @@ import PraTactile.Segmentation (SymbolImage (..))
 import PraTactile.Shape (Alphabet)
 import PraTactile.Symmetry (exchangesAxes)
 
--- | What was made of a symbol or a part of one.
+-- | How a symbol, or a part of one, was read.
 data Reading = AsExpected | Contradicting | Unrecognised | PartOf | PartContradicting
   deriving stock (Eq, Ord, Show, Enum, Bounded)
 
@@ -36,7 +36,7 @@ data Reading = AsExpected | Contradicting | Unrecognised | PartOf | PartContradi
 data Felt = Whole | Part
   deriving stock (Eq)
 
--- | What was made of a symbol.
+-- | How a symbol was read.
 readingOf :: Recognition -> Felt -> ReadSymbol -> Reading
 readingOf recognition felt symbol = case felt of
   Part -> if wrong then PartContradicting else PartOf
@@ -109,7 +109,8 @@ compositePanel alphabet nameOf taxel composite recognition =
 centred :: Double -> (Double, Double) -> (Double, Double)
 centred unit (x, y) = (unit * (x + 0.5), unit * (y + 0.5))
 
--- | A symbol, the composite's symbols being turned by so many degrees beside quarter turns.
+-- | The drawing of a symbol, in a composite whose symbols are turned by this angle in degrees
+-- beside quarter turns.
 symbolMark ::
   Alphabet -> (Int -> String) -> Double -> Double -> Felt -> Reading -> ReadSymbol -> Drawing
 symbolMark alphabet nameOf unit skew felt reading symbol =

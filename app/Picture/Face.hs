@@ -1,6 +1,6 @@
 {-# LANGUAGE OverloadedStrings #-}
 
--- | The right side of the picture of a recognition: where on the object that is.
+-- | The right side of the picture of a recognition: the place on the object.
 module Picture.Face
   ( FaceView (..),
     facePanel,
@@ -23,7 +23,7 @@ import PraTactile.Sensor.Frame (Motion (..), movePoint)
 import PraTactile.Shape (Alphabet)
 import PraTactile.Symmetry
 
--- | What is drawn of a face.
+-- | The data for drawing a face.
 data FaceView = FaceView
   { viewAlphabet :: Alphabet,
     viewLayout :: Placement,

@@ -23,8 +23,8 @@ import PraTactile.Object.Description
 import PraTactile.Object.Net
 import Visible (visible)
 
--- | What is raised on a face: polygons, in millimetres of the page, counter-clockwise, and those
--- that are hollow in them clockwise.
+-- | The raised parts of a face: counter-clockwise polygons in millimetres of the page, with their
+-- holes clockwise.
 type Raised = NetFace -> [[(Double, Double)]]
 
 -- | The picture of a net as an SVG file that is as large as the net, given its title.
@@ -43,7 +43,7 @@ cutOutSvg title raised net = asLarge title (partMarks raised 1 part) (partMeanin
   where
     part = wholePart 8 net
 
--- | The same on pages of this width and height, millimetres: of each the faces that it has, and the
+-- | A net cut into pages of this width and height, in millimetres: the faces on each page, and the
 -- file. Refuses a face that has no room on a page.
 pagesSvg ::
   (Double, Double) -> String -> Raised -> Net -> Either FaceName [([NetFace], Lazy.ByteString)]
@@ -73,7 +73,7 @@ pagesSvg (wide, high) title raised net = map page . numbered <$> partsFor room n
         feet = foot (partMeanings parts)
         below = extentOf feet
 
--- | Units a millimetre: as large on paper as the words of other pictures are.
+-- | Units for a millimetre; words are as large on paper as in the other pictures.
 perMillimetre :: Double
 perMillimetre = 4
 
@@ -148,7 +148,7 @@ partMarks raised page part =
       let n = fromIntegral (length corners)
        in (sum (map fst corners) / n, sum (map snd corners) / n)
 
--- | What a line is of: its class, its paint and what it means.
+-- | The kind of a line: its class, its paint and its meaning.
 data Meaning = Meaning Text Paint String
 
 meaningMark :: Meaning -> Drawing

@@ -11,7 +11,7 @@ import PraTactile.Object.Description (cyclicPairs)
 signedArea :: [(Double, Double)] -> Double
 signedArea polygon = sum [x * y' - x' * y | ((x, y), (x', y')) <- cyclicPairs polygon] / 2
 
--- | What of a polygon lies within a convex one (Sutherland and Hodgman 1974).
+-- | The part of a polygon inside a convex one (Sutherland and Hodgman 1974).
 within :: [(Double, Double)] -> [(Double, Double)] -> [(Double, Double)]
 within convex polygon = foldl cut polygon (cyclicPairs convex)
   where

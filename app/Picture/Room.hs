@@ -1,4 +1,4 @@
--- | Where words have room on a polygon.
+-- | Room for words on a polygon.
 module Picture.Room
   ( Place (..),
     roomOn,
@@ -43,7 +43,8 @@ roomOn largest taken corners words' =
         (\(u, v) -> (u - x) * (u - x) + (v - y) * (v - y))
         [(l + i * (r - l) / 24, t + j * (b - t) / 24) | i <- [1 .. 23], j <- [1 .. 23]]
 
--- | The same near the middle of a side of the polygon, inside.
+-- | The largest letters, of these at most, in which words have room inside the polygon near the
+-- middle of one of its sides.
 besideSide ::
   Double ->
   [Extent] ->
@@ -67,7 +68,7 @@ besideSide largest taken corners ((x, y), (x', y')) words' =
       let far = 4 + (abs nx * textWidth plain {fontSize = size} words' + abs ny * size) / 2
        in (x + (0.5 + k) * (x' - x) + far * nx, y + (0.5 + k) * (y' - y) + far * ny)
 
--- | Whether a rectangle lies on a polygon and meets none of these.
+-- | Whether a rectangle lies on a polygon and overlaps none of the taken rectangles.
 free :: [Extent] -> [(Double, Double)] -> Extent -> Bool
 free taken corners box@(Extent l t r b) =
   not (any (meets box) taken) && not (any within corners)

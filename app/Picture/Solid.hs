@@ -1,7 +1,7 @@
 {-# LANGUAGE OverloadedStrings #-}
 
--- | A solid as it is seen from somewhere: hidden parts hidden, with its vertices' names, and with
--- the symbols on its faces where those are given.
+-- | A solid as it is seen from a direction: without its hidden parts, with its vertices' names and,
+-- if they are given, the symbols on its faces.
 module Picture.Solid
   ( solidSvg,
     encodedSvg,
@@ -38,7 +38,7 @@ import Text.Printf (printf)
 -- space.
 type Embossed = Map.Map Int [[(Double, Double, Double)]]
 
--- | What is shown of a solid.
+-- | A solid as it is seen.
 data Shown = Shown
   { shownView :: View,
     shownSymbols :: Embossed,
@@ -140,7 +140,7 @@ vertexMark scale vertex =
     (x, y) = (scale * u + away * cos free, scale * v + away * sin free + 5)
     ground = around (textWidth font name, 15) (x, y - 5)
 
--- | Whether the faces of an object have no more symbols than this.
+-- | Whether the faces of an object have at most this many symbols.
 fewSymbols :: Int -> Placement -> Solid -> Bool
 fewSymbols most layout whole = null (drop most (concatMap blockOf' (laidFaces layout)))
   where
@@ -148,8 +148,8 @@ fewSymbols most layout whole = null (drop most (concatMap blockOf' (laidFaces la
       | faceObject (laidFace laid) == solidName whole = blockCells (laidBlock laid)
       | otherwise = []
 
--- | What is embossed on the faces of an object, given the shapes and the class in each cell of a
--- face.
+-- | The embossed symbols on the faces of an object, given the shapes and the class in each cell of
+-- a face.
 embossedOn :: Alphabet -> Placement -> (LaidFace -> Position -> Int) -> Solid -> Embossed
 embossedOn alphabet layout classesOf whole =
   Map.fromList

@@ -1,7 +1,6 @@
 {-# LANGUAGE OverloadedStrings #-}
 
--- | What the pictures have in common: colours with one meaning each, embossed shapes, a measure of
--- length.
+-- | Common parts of the pictures: colours with one meaning each, embossed shapes, a scale bar.
 module Picture.Style
   ( -- * Colours
     recognised,

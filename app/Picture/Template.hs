@@ -29,7 +29,7 @@ import PraTactile.Object.Placement
 import PraTactile.Object.Rims
 import PraTactile.Object.WingedEdge
 
--- | What is drawn.
+-- | A face to be drawn as a template.
 data Template = Template
   { templateFace :: LaidFace,
     -- | the side of a taxel of its symbols, millimetres

@@ -12,5 +12,5 @@ main = do
   filterM (fmap (/= 0) . ignoredByCaller) endings >>= ignoring
   CommandLine.main
 
--- | Whether the caller had a signal ignored; the runtime system, which handles some, does not tell.
+-- | Whether the caller ignored a signal. The runtime system does not tell, since it handles some.
 foreign import ccall unsafe "ignored_by_caller" ignoredByCaller :: Signal -> IO CInt

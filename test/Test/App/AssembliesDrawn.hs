@@ -18,7 +18,7 @@ import Test.Touch.Paper (assemble)
 
 spec :: Spec
 spec = modifyMaxSuccess (const 40) $ do
-  prop "found less nominal is the correction; the arrow, enlarged, points along it" $
+  prop "the correction is the found place minus the nominal one, and the arrow points along it" $
     forAll poses $ \at -> withAssembly Incremental (frames at) $ \drawing made ->
       let shifts = map registeredShift (assemblyFrames made)
           nominal = centres "nominal" drawing
@@ -52,7 +52,7 @@ spec = modifyMaxSuccess (const 40) $ do
         found `shouldBe` [False, False, True]
         filter ("file2" `isInfixOf`) texts `shouldSatisfy` ((== 1) . length)
         filter ("2 groups" `isInfixOf`) texts `shouldSatisfy` ((== 1) . length)
-  it "without an overlap there is no residual to tell, nor an arrow without a length" $
+  it "without an overlap there is no residual, and a correction of 0 has no arrow" $
     either (expectationFailure . show) id $ do
       made <- assemble Nominal standardRegistration (frames [(0, 0), (40, 0)])
       let drawing = assemblyDrawing "folder" (named (frames [(0, 0), (40, 0)])) made

@@ -64,7 +64,7 @@ spec = do
 
 drawingSpec :: Spec
 drawingSpec = describe "drawings" $ do
-  prop "what is put beside something touches nothing of it, and nothing is above its top" $
+  prop "drawings side by side do not touch, and their tops are level" $
     \a
      b
      (NonNegative gap) ->
@@ -79,7 +79,7 @@ drawingSpec = describe "drawings" $ do
             (first, second) = (extentOf (boxes a), extentOf (boxes b))
          in height whole ~= (height first + gap + height second)
               .&&. width whole ~= max (width first) (width second)
-  prop "what flows is all there, in rows that are not too wide" $
+  prop "flowing drawings are all present, in rows that fit the width" $
     \(widths :: [Positive Double])
      (Positive room) ->
         let items =
@@ -319,7 +319,7 @@ pictureSpec (layout, _, alphabet) array reader = describe "pictures of recogniti
       -- A bar of 20 mm.
       abs (width (extentOf bar) - unit * 20 / (fromRational size * 1.5875))
         `shouldSatisfy` (< 3)
-  it "no answer, no face: the reason is told" $ do
+  it "without an answer no face is drawn, and the reason is printed" $ do
     let page =
           pageOf
             (compositeOf (constant 40 52 0))

@@ -7,10 +7,11 @@ import CommandLine (commandLine, misunderstood, preferences)
 import Data.Aeson (Value (..))
 import qualified Data.ByteString as Bytes
 import qualified Data.ByteString.Char8 as Bytes8
-import Data.Char (isUpper)
+import Data.Char (isLower, isUpper)
 import Data.Either (fromLeft)
 import Data.Foldable (for_)
 import Data.List (isInfixOf, isPrefixOf, isSuffixOf)
+import Data.Maybe (fromMaybe)
 import Options.Applicative (ParserResult (..), execParserPure)
 import Readers
 import System.Directory
@@ -25,14 +26,31 @@ import Visible
 
 argumentsSpec :: Spec
 argumentsSpec = describe "arguments" $ do
-  it "an error in one of them is a line that ends by naming the help" $
+  it "the help has a line of at most 70 characters for each command, and the most used first" $ do
+    (0, text, "") <- pra ["--help"]
+    let entries = [entry | entry@(' ' : ' ' : first : _) <- lines text, isLower first]
+    map (takeWhile (/= ' ') . drop 2) (take 3 entries) `shouldBe` words "decode locate conform"
+    length entries `shouldBe` length commandsOfHelp
+    [entry | entry <- entries, length entry > 70] `shouldBe` []
+  it "a command's help has its own options first, and those of the array last" $
+    for_ (words "decode locate array place") $ \name -> do
+      (0, text, "") <- pra [name, "--help"]
+      let (own, ofArray) = break ("The array" `isPrefixOf`) (lines text)
+          options =
+            [ "  --" ++ option ++ " "
+              | option <- words "q modulus polynomial shape window state folding profile"
+            ]
+          listed part = [option | option <- options, any (option `isPrefixOf`) part]
+      (name, listed own) `shouldBe` (name, [])
+      (name, listed ofArray) `shouldBe` (name, options)
+  it "a wrong value is reported on one line, which ends by naming the help" $
     pra ["array", "--shape", "15by17"]
       `shouldReturn` ( 2,
                        "",
                        "pra-tactile: option --shape: \"15by17\" is not a shape; write \
                        \ROWSxCOLUMNS, as in 15x17; try 'pra-tactile array --help'\n"
                      )
-  it "so is one in those of any command, and their absence where there must be some" $ do
+  it "wrong and missing arguments of any command are reported in this way" $ do
     pra [] `shouldReturn` (2, "", "pra-tactile: name a command; try 'pra-tactile --help'\n")
     for_ commandsOfHelp $ \(Command name _ _) -> do
       for_ [["--nothing"], ["--", "--nothing", "x", "y"], ["---"], []] $ \others ->
@@ -47,7 +65,7 @@ argumentsSpec = describe "arguments" $ do
           _ -> others `shouldSatisfy` (`elem` [[], ["--", "--nothing", "x", "y"]])
     for_ (words "decode check stitch compare") $ \name ->
       pra [name] >>= (`refuses` ("--help'" :: String))
-  it "so is what is wrong with several together, or with a value that could be read" $
+  it "arguments that contradict each other, and values out of range, are reported in this way" $
     for_
       ( [ "evaluate --presses 0",
           "rates --trials 0",
@@ -76,7 +94,7 @@ argumentsSpec = describe "arguments" $ do
         outcome@(_, _, err) <- praWith (words line) "0 1"
         outcome `refuses` ("; try 'pra-tactile " ++ takeWhile (/= ' ') line ++ " --help'")
         (line, "--help'\n" `isSuffixOf` err) `shouldBe` (line, True)
-  it "an option either acts or is refused: what would be ignored is named, with the reason" $
+  it "an option that would change nothing is refused, by its name and with the reason" $
     inFolder $ \folder -> do
       copyFile "data/worked-example/composite.pgm" (folder </> "whole.pgm")
       (0, _, "") <- pra ["array", "--format", "csv", "--output", folder </> "a.csv"]
@@ -129,7 +147,19 @@ argumentsSpec = describe "arguments" $ do
           for_ named $ \name -> (line, outcome) `names` name
       -- What acts is not refused.
       listDirectory folder >>= (`shouldMatchList` ["a.csv", "whole.pgm"])
-  it "an empty one names no file or folder, whatever it would be for" $ do
+  it "a complaint names an option by the name that was given, new or older" $
+    for_ [("--image-noise", "--foreign-shapes"), ("--noise", "--foreign")] $ \(noise, other) -> do
+      let images = words "images --set bitmap --count 1 --seed 1 --output out"
+      pra (images ++ [noise ++ "=-1"]) >>= (`refuses` ("pra-tactile: " ++ noise ++ " must be"))
+      pra (images ++ [other, "97"]) >>= (`refuses` ("pra-tactile: " ++ other ++ " must be"))
+  it "an option's older name does what the new one does, and the help does not show it" $
+    for_ olderNames $ \(line, names) -> do
+      let renamed = [fromMaybe word (lookup word names) | word <- words line]
+      older <- pra renamed
+      (,) line <$> pra (words line) `shouldReturn` (line, older)
+      (_, text, _) <- pra (take 1 (words line) ++ ["--help"])
+      [old | (_, old) <- names, old `elem` map bare (words text)] `shouldBe` []
+  it "an empty text is refused as the name of a file or a folder, by every option" $ do
     for_ commandsOfHelp $ \(Command name options arguments) -> do
       let paths =
             [ [optionName option, ""]
@@ -148,12 +178,12 @@ argumentsSpec = describe "arguments" $ do
       outcome <- scripted folder "pra vectors --output ''"
       outcome `refuses` "an empty text names no file or folder"
       listDirectory folder `shouldReturn` []
-  it "what is no number is refused, whatever a programming language makes of it" $
+  it "a whole number is refused in the forms of programming languages, such as 0x10 and 1_000" $
     for_ ["0x10", " 1", "1 ", "1_000", "1e2", "(1)", "", "\x661", "1.0"] $ \text -> do
       (status, _, err) <- pra ["rates", "--trials", text]
       (text, status) `shouldBe` (text, 2)
       err `shouldSatisfy` ("--trials" `isInfixOf`)
-  it "what is no number with a point is refused likewise" $
+  it "a decimal number is refused in the forms of programming languages, such as NaN and 0x1" $
     for_
       [ "0x1",
         " 0.1",
@@ -171,7 +201,7 @@ argumentsSpec = describe "arguments" $ do
         (status, _, err) <- pra ["locate", "--doubt", text, doubtful]
         (text, status) `shouldBe` (text, 2)
         err `shouldSatisfy` ("--doubt" `isInfixOf`)
-  it "a sign, and a point without digits on one side, are read as every other tool reads them" $ do
+  it "a number may have a sign, and a point without digits on one side" $ do
     map readDecimal [".5", "+.5", "5.", "+5", "-5.e-1"]
       `shouldBe` map Right [0.5, 0.5, 5, 5, -0.5 :: Double]
     map readDecimal ["+12", "-0"] `shouldBe` map Right [12, 0 :: Int]
@@ -180,16 +210,16 @@ argumentsSpec = describe "arguments" $ do
       (text, status < 2) `shouldBe` (text, True)
     exactly <- pra ["solid", "box:0.5x1x2", "--scale", "2", "--tolerance", "0.1"]
     pra ["solid", "box:.5x1.x+2", "--scale", "+2.", "--tolerance", ".1"] `shouldReturn` exactly
-  it "a number is read back as it was shown" $
+  it "a whole number that was shown is read back" $
     property (\n -> readDecimal (show (n :: Int)) === Right n)
-  it "a number with a point likewise" $
+  it "a decimal number that was shown is read back" $
     property (\x -> readDecimal (show (x :: Double)) === Right x)
-  it "a patch that the shell took apart is told so" $ do
+  it "a patch without quotation marks is refused, with the marks that it needs" $ do
     outcome <- pra (words "locate 3 2 / 3 1")
     outcome
       `refuses` "pra-tactile: a patch is one argument; write it between quotation marks: '3 2 / 3 \
                 \1'"
-  it "an object of a file whose name is no UTF-8 has one name everywhere, however it is given" $
+  it "an object whose file name is not UTF-8 has the same name in all commands" $
     inFolder $ \folder -> do
       -- The name was bytes in options, and U+FFFD in placements, and nothing found it again.
       let given name = "n=$(printf 'part\\351'); " ++ name
@@ -210,7 +240,7 @@ argumentsSpec = describe "arguments" $ do
         scripted folder (given "pra emboss --placement p.json --object \"$n$n\" --output e.stl")
       outcome
         `refuses` "there is no object \"part\\xe9part\\xe9\"; 'pra-tactile objects' lists them"
-  it "a name that cannot be printed, or of 5000 characters, is one line in every locale" $
+  it "a name that is unprintable or very long fits on one line, in every locale" $
     inFolder $ \folder ->
       for_ ["LC_ALL=C", "LC_ALL=C.UTF-8"] $ \locale -> do
         named <- scripted folder (locale ++ " pra-tactile decode \"$(printf 'a\\nb\\377.pgm')\"")
@@ -220,7 +250,7 @@ argumentsSpec = describe "arguments" $ do
         let (_, _, err) = long in length err `shouldSatisfy` (< 600)
         german <- scripted folder (locale ++ " pra-tactile decode Größe.pgm")
         german `refuses` "there is no file or folder Größe.pgm"
-  it "JSON is UTF-8 whatever a file is called" $
+  it "JSON is UTF-8, whatever the bytes of a file's name" $
     inFolder $ \folder -> do
       composite <- makeAbsolute "data/worked-example/composite.pgm"
       _ <-
@@ -234,7 +264,7 @@ argumentsSpec = describe "arguments" $ do
       shown <- Bytes.readFile (folder </> "out")
       Bytes.readFile (folder </> "out2") `shouldReturn` shown
       key ["source"] (Bytes8.unpack shown) `shouldBe` Just (String "a\\xff\n.pgm")
-  it "what is visible has no control characters, and nothing is changed that has none" $
+  it "shown text has no control characters, and text without them is not changed" $
     property $ \text ->
       let shown = visible text
        in counterexample
@@ -254,9 +284,40 @@ argumentsSpec = describe "arguments" $ do
     -- A patch of probabilities, of which --doubt says something.
     doubtful = "[[[0,0,0.1,0.9],2],[3,1]]"
 
+-- | Commands with options that have an older name, each name with the older one.
+olderNames :: [(String, [(String, String)])]
+olderNames =
+  [ ( "rates --trials 5 --patch 2x2 --errors 2 --erasures 0 --picture -",
+      [("--patch", "--size"), ("--picture", "--plot")]
+    ),
+    ("sensor --sensor hard", [("--sensor", "--preset")]),
+    ("shapes --examine data/shapes.txt", [("--examine", "--check")]),
+    ("objects --cell 6,5", [("--cell", "--at")]),
+    ("objects --verify --database none.sqlite", [("--verify", "--check")]),
+    ( "decode --together data/worked-example/composite.pgm --origin 3,4 --json",
+      [("--origin", "--at")]
+    ),
+    ("segment data/worked-example/frames --frame-noise 0.1", [("--frame-noise", "--noise")]),
+    ( "stitch data/worked-example/frames --method joint --frame-noise 0.1 --picture -",
+      [("--frame-noise", "--noise"), ("--picture", "--report")]
+    ),
+    ("evaluate --presses 1 --foreign-presses 1", [("--foreign-presses", "--foreign")]),
+    ( "place lid=box:120x80x20 --face lid:V1,V2,V3,V4 --as-named",
+      [("--as-named", "--upright")]
+    ),
+    ("vectors --compare none", [("--compare", "--check")]),
+    ( "train --output - --network-calibration -",
+      [("--network-calibration", "--calibration")]
+    )
+  ]
+
+-- | A word of a usage without its brackets.
+bare :: String -> String
+bare = filter (\c -> c `notElem` ("[]()" :: String))
+
 inputSpec :: Spec
 inputSpec = describe "the standard input" $ do
-  it "locate --batch: a line that is no UTF-8 is invalid, the others are answered" $
+  it "locate --batch: a line that is not UTF-8 is invalid, and the others are answered" $
     inFolder $ \folder ->
       for_ ["LC_ALL=C", "LC_ALL=C.UTF-8"] $ \locale -> do
         (status, out, err) <-
@@ -269,7 +330,7 @@ inputSpec = describe "the standard input" $ do
         (status, err) `shouldBe` (2, "")
         map (key ["outcome"]) (lines out)
           `shouldBe` map (Just . String) ["located", "invalid", "located", "located"]
-  it "locate --batch: a line beyond 1 MiB is invalid; the others are answered" $
+  it "locate --batch: a line above 1 MiB is invalid, and the others are answered" $
     inFolder $ \folder -> do
       (status, out, _) <-
         scripted
@@ -293,7 +354,7 @@ inputSpec = describe "the standard input" $ do
                      "the line has 3000000 bytes; at most 1048576 are read",
                      "the line has 2000000 bytes; at most 1048576 are read"
                    ]
-  it "synthesise: bytes that are no text are one line" $
+  it "synthesise: bytes that are not text are reported on one line" $
     inFolder $ \folder -> do
       outcome <- scripted folder "printf '0 1 \\377' | pra synthesise --q 4"
       outcome `refuses` "not UTF-8 text"

@@ -48,7 +48,7 @@ spec = do
           complains (name : windowed ++ ["0" | name == "locate"]) "2^5000 - 1"
     atOnce (complains ("prove" : chosen) "5000 cells")
     atOnce (complains ("sequence" : take 4 chosen) "2^5000 - 1")
-  it "a shape that is no shape of the array, of whatever size, in a line that can be read" $
+  it "an impossible shape of any size is reported on a readable line" $
     forM_ (words "array prove table certificate") $ \name -> atOnce $ do
       let huge = replicate 5000 '9'
       (status, out, err) <-
@@ -67,7 +67,7 @@ spec = do
       err `shouldSatisfy` ("a number of 5000 digits" `isInfixOf`)
       length err `shouldSatisfy` (< 400)
   -- A blank one was read for a minute, and then a larger one was asked for.
-  it "an image of 12 megapixels is refused by its size, whatever it shows" $
+  it "an image of 12 megapixels is refused for its size" $
     forM_ [("blank", '\0'), ("white", '\255')] $ \(name, taxel) -> inFolder $ \folder -> do
       let file = folder </> (name ++ ".pgm")
       Bytes.writeFile
@@ -97,7 +97,7 @@ spec = do
           "too much memory"
       )
     atOnce (complains (large ++ words "--window 6x53687092") "more than 4096")
-  it "advise: a window of too many cells is no window that fails" $ do
+  it "advise: a window with too many cells is an error, not an array that fails" $ do
     atOnce
       ( complains
           (words "advise --q 2 --rows 100000 --columns 100000 --window 5000x1")
@@ -121,7 +121,7 @@ spec = do
       [ "on no object: the window straddles cube, face C2 C6 C7 C3 and parallelepiped, face P1 P2 \
         \P3 P4 and parallelepiped, face P3 P7 P8 P4"
       ]
-  it "place --objects: a line that is longer than any name" $
+  it "place --objects: a line longer than any name is refused" $
     inFolder $ \folder -> do
       writeFile (folder </> "list") (replicate (2 * 1024 * 1024) '1')
       atOnce (complains ["place", "--objects", folder </> "list"] "a line of more than")

@@ -14,7 +14,7 @@ import Test.Support
 
 spec :: Spec
 spec = do
-  it "census: one line an entry; the paper's array is in it, proved by both roads" $
+  it "census: one line for each entry, and the paper's array is proved by both methods" $
     inFolder $ \folder -> do
       (status, out, err) <- pra (census folder "c.csv" ++ ["--json"])
       -- 32 polynomials, 6 shapes, 2 windows; with 3 rows or 3 columns the powers of alpha down or
@@ -57,7 +57,7 @@ spec = do
       complains ["merge", file] "line 3 is damaged: its check does not fit"
       complains (small folder "new.csv") "line 3"
       readFile file `shouldReturn` changed
-  it "census --keep-whole: damaged lines are made good" $
+  it "census --keep-whole: damaged lines are made again" $
     inFolder $ \folder -> do
       _ <- pra (small folder "c.csv")
       whole <- readFile (folder </> "c.csv")
@@ -86,7 +86,7 @@ spec = do
         (words "census --q 2 --degree 4 --output" ++ [folder </> "other.csv", "--keep-whole"])
         "not an unfinished file"
       readFile (folder </> "other.csv") `shouldReturn` whole
-  it "census --keep-whole: with a damaged first line the rows' checks tell that it is a census" $
+  it "census --keep-whole: a census with a damaged first line is known by the rows' checks" $
     inFolder $ \folder -> do
       _ <- pra (small folder "c.csv")
       whole <- readFile (folder </> "c.csv")
@@ -95,7 +95,7 @@ spec = do
       (status, _, _) <- pra (small folder "d.csv" ++ ["--keep-whole"])
       again <- readFile (folder </> "d.csv")
       (status, again) `shouldBe` (0, whole)
-  it "merge --keep-whole: takes the rows that are whole, and tells which are missing" $
+  it "merge --keep-whole: whole rows are taken, and missing ones are named" $
     inFolder $ \folder -> do
       let file name = folder </> name
       forM_ [1, 2 :: Int] $ \i ->
@@ -108,7 +108,7 @@ spec = do
       complains ["merge", file "bad", file "part2"] "is damaged: it has 1 fields, not 18"
       (status, out, err) <- pra ["merge", "--keep-whole", file "bad", file "part2"]
       (status, out, length (lines err)) `shouldBe` (0, whole, 1)
-  it "merge: the output is none of the shards, however it is spelt" $
+  it "merge: an output that is one of the shards is refused, under any spelling" $
     inFolder $ \folder -> do
       let file name = folder </> name
       _ <- pra (small folder "c.csv")
@@ -136,7 +136,7 @@ spec = do
       writeFile file whole
       complains (words "census --q 4 --degree 3 --output" ++ [file]) "not an unfinished file"
       complains (census folder "other" ++ ["--shard", "1/2"]) "not an unfinished file"
-  it "merge: shards in any order are the census in one run, byte by byte" $
+  it "merge: shards in any order give the bytes of one run" $
     inFolder $ \folder -> do
       _ <- pra (census folder "whole.csv")
       whole <- readFile (folder </> "whole.csv")

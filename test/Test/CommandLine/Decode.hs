@@ -68,13 +68,13 @@ spec = do
       Bytes.writeFile file (encodeCalibration (Calibration (everywhere 16 0) (everywhere 16 1) []))
       outcome <- pra ["decode", "--calibration", file, worked]
       outcome `refuses` "the calibration is of a sensor of 16 x 16 taxels"
-  it "a mirror image is refused as one" $
+  it "a mirror image is refused as a mirror image" $
     inFolder $ \folder -> do
       changed folder (onRaster mirror)
       (status, out, _) <- pra ["decode", "--json", folder </> "changed.pgm"]
       (status, key ["outcome"] out, key ["reason"] out)
         `shouldBe` (1, Just "refused", Just "mirrored")
-  it "3 x 3 symbols: one may be blotted out, or be another; which one is told" $
+  it "3 x 3 symbols: one may be blotted out or wrong, and the answer names it" $
     inFolder $ \folder -> do
       (stitched, composite) <- cubeTop folder
       stitched `shouldBe` 0
@@ -113,7 +113,7 @@ spec = do
           `shouldBe` (i, 0, place whole, Just (Number 1))
         (strict, refused, _) <- pra ["decode", "--json", "--radius", "0", folder </> "changed.pgm"]
         (i, strict, key ["reason"] refused) `shouldBe` (i, 1, Just "orientation-contradiction")
-  it "two columns of a face, a column apart: too little each, enough together" $
+  it "two columns of a face, one column apart: each is too little, both together are enough" $
     inFolder $ \folder -> do
       for_ [("left" :: String, "0"), ("right", "50.8")] $ \(name, x) -> do
         (probed, _, _) <-
@@ -170,12 +170,12 @@ spec = do
             "63.5,0"
           ]
       (misplaced, key ["outcome"] other) `shouldBe` (1, Just "refused")
-  it "no doubt tolerated, no answer; the sheet is asked for or the torus" $ do
+  it "--doubt 0 gives no answer; --surface chooses the sheet or the torus" $ do
     (status, out, _) <- pra ["decode", "--json", "--doubt", "0", worked]
     (status, key ["reason"] out) `shouldBe` (1, Just "below-threshold")
     (sheet, onSheet, _) <- pra ["decode", "--json", "--surface", "sheet", worked]
     (sheet, key ["position"] onSheet) `shouldBe` (0, Just workedCell)
-  it "frames without a manifest: what is missing is said in one line" $
+  it "frames without a manifest: one line says what is missing" $
     inFolder $ \folder -> do
       let copied = folder </> "frame_000.pgm"
       Bytes.readFile "data/worked-example/frames/frame_000.pgm" >>= Bytes.writeFile copied

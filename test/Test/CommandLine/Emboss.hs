@@ -24,7 +24,7 @@ import Test.Support
 
 spec :: Spec
 spec = do
-  it "every format has the same of the cube, and is read as a solid" $
+  it "every format holds the same cube, and is read back as a solid" $
     inFolder $ \folder ->
       for_
         -- Other tests read the cube as binary STL.
@@ -99,7 +99,7 @@ spec = do
       drawn <- listDirectory (folder ++ "/drawn")
       length drawn `shouldBe` 6
       drawn `shouldSatisfy` elem "cube.C1-C2-C3-C4.svg"
-  it "pressed in place of the object it is felt alike, and found, on every face" $
+  it "the embossed mesh, pressed in place of the object, gives the same frames on every face" $
     inFolder $ \folder -> do
       (status, _, _) <- scripted folder "pra emboss --output made > log"
       status `shouldBe` 0
@@ -135,7 +135,7 @@ spec = do
     it "lies elsewhere" . refusedWith "does not lie where the placement has the face" $
       "pra emboss --object parallelepiped --output p.stl > log; "
         ++ "pra probe --object cube --mesh p.stl --seed 1 --output f"
-    it "is no file of that kind" . refusedWith "needed here" $
+    it "is a file of another kind" . refusedWith "needed here" $
       "(echo solid; echo facets) > c.stl; "
         ++ "pra probe --object cube --mesh c.stl --seed 1 --output f"
   describe "refused is" $
@@ -291,7 +291,7 @@ spec = do
             take 1 (after "height=" text) `shouldSatisfy` all ("\"297mm\"" `isPrefixOf`)
             let points = concatMap (inPairs . numbersOf) (after "points=\"" text)
             points `shouldSatisfy` all (\(x, y) -> x >= 0 && x <= 840 && y >= 0 && y <= 1188)
-  it "nothing of a drawing lies beyond its paper" $
+  it "all parts of a drawing lie on its paper" $
     inFolder $ \folder -> do
       _ <- scripted folder "pra emboss --format svg --output drawn > log"
       drawn <- listDirectory (folder ++ "/drawn")

@@ -16,7 +16,7 @@ import Test.Support
 
 spec :: Spec
 spec = do
-  it "a press is decoded alike in every form, with its readings as they are" $
+  it "a press is decoded alike from every file format" $
     inFolder $ \folder -> do
       answers <- forM ["pgm", "png", "npy"] $ \form -> do
         let frames = folder </> form
@@ -70,7 +70,7 @@ spec = do
       removeFile (folder </> "manifest.csv")
       complains ["segment", movie] "a movie of"
       complains ["decode", "--poses", "README.md", movie] "the first line is"
-  it "what is converted is decoded as it was" $
+  it "converted frames are decoded as the originals" $
     inFolder $ \folder -> do
       (0, _, "") <- pra (pressing ++ ["--format", "npy", "--output", folder </> "npy"])
       (0, said, "") <- pra ["convert", folder </> "npy", "--output", folder </> "pgm"]
@@ -78,7 +78,7 @@ spec = do
       before <- answered (folder </> "npy")
       answered (folder </> "pgm") `shouldReturn` before
       complains ["convert", folder </> "npy", "--output", folder </> "pgm"] "is not empty"
-  it "readings above full scale are told, and those that are missing" $
+  it "readings above full scale, and missing readings, are reported" $
     inFolder $ \folder -> do
       let image = folder </> "image.csv"
       writeFile image (unlines (replicate 40 (unwords (replicate 30 "0.1" ++ ["40", "nan"]))))
@@ -90,7 +90,7 @@ spec = do
       said `shouldSatisfy` ("40 taxels without a reading are the mean of" `isInfixOf`)
       said `shouldSatisfy` ("40 readings above full scale count as that" `isInfixOf`)
       complains ["segment", image, "--full-scale", "0"] "the reading of full contact"
-  it "the distance of taxels is the file's, where nobody says another" $
+  it "the taxels' distance is the file's, unless --taxel states another" $
     inFolder $ \folder -> do
       let press = folder </> "press.asf"
       writeFile press (unlines (header ++ ["Frame 1"] ++ replicate 4 "0,1,2,3" ++ ["@@"]))

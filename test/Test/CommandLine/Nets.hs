@@ -26,7 +26,7 @@ spec = do
       (status, take 1 (lines out), err)
         `shouldBe` (1, ["two: 0 unfoldings, since it is of several pieces"], "")
       doesPathExist (folder </> "nets") `shouldReturn` False
-  it "what is no solid is refused, with the first of its defects" $
+  it "an object that is no solid is refused, with the first of its defects" $
     inFolder $ \folder -> do
       (status, out, err) <-
         scripted
@@ -34,7 +34,7 @@ spec = do
           "pra solid tetrahedron:9 --output t.off > log; sed '$d; s/^4 4/4 3/' t.off > o.off; \
           \pra nets o.off"
       (status, out, length (lines err)) `shouldBe` (2, "", 1)
-  it "a folder that holds files is refused, and stays as it is" $
+  it "a folder that holds files is refused and not changed" $
     inFolder $ \folder -> do
       writeFile (folder </> "mine") "mine"
       complains ["nets", "tetrahedron:9", "--svg", folder] "not empty"
@@ -50,7 +50,7 @@ spec = do
       map (4 *) size `shouldSatisfy` and . zipWith near (drop 2 page)
       -- The faces have 2 (20 x 30 + 20 x 50 + 30 x 50) square millimetres.
       abs (signedArea (pairs (points "cut" drawing))) `shouldSatisfy` near (16 * 6200)
-  it "every picture is read by a program of another hand" $
+  it "every picture is read by another program" $
     inFolder $ \folder -> do
       drawn folder
       there <- findExecutable "rsvg-convert"
@@ -99,7 +99,7 @@ spec = do
       usual <- seen "usual.svg" []
       seen "told.svg" ["--from", "30,25"] `shouldReturn` usual
       seen "other.svg" ["--from", "25,30"] >>= (`shouldNotBe` usual)
-  it "what a picture is not of is refused" $ do
+  it "options that a picture does not use are refused" $ do
     complains ["draw", "sheet", "--from", "1,2", "--output", "x.svg"] "--from"
     complains ["draw", "placement", "--object", "cube", "--output", "x.svg"] "--object"
     complains ["draw", "encoded", "--object", "l:9x9x9", "--output", "x.svg"] "l:9x9x9"

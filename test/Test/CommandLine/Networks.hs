@@ -50,7 +50,7 @@ spec = do
       ("experiment --output data", "not empty")
     ]
     $ \(arguments, about) -> it arguments (words arguments `complains` about)
-  it "weights as JSON are read wherever weights are, and of other shapes refused" $
+  it "weights as JSON are read wherever weights are, and refused with other shapes" $
     inFolder $ \folder -> do
       let json = folder </> "n.json"
           spoilt = folder </> "spoilt.json"
@@ -182,7 +182,7 @@ spec = do
         `shouldBe` (Just (toJSON regimen), Just (Number 2))
       (_, without, _) <- train ["--without-noise"]
       length (filter ("stage " `isPrefixOf`) (lines without)) `shouldBe` 2
-  it "weights on the standard output are nothing else" $
+  it "with --output - the standard output holds only the weights" $
     inFolder $ \folder -> do
       let file = folder </> "n.txt"
           -- Without the noisy stage it is one stage less.
@@ -205,7 +205,7 @@ spec = do
       (status, out, err) <- scripted folder script
       (status, err) `shouldBe` (0, "")
       map (key ["file"]) (lines out) `shouldBe` replicate 2 (Just (String "caf\\xe9.pgm"))
-  it "images say what they are, and are taken for it, either way up" $
+  it "images are classified as their labels say, either way up" $
     inFolder $ \folder -> do
       let images = folder </> "images"
       (status, _, _) <-
@@ -260,7 +260,7 @@ spec = do
       ["classify", grey] `complains` "the same"
       (none, said, _) <- pra ["classify", half, "--levels", "0,0.0352941"]
       (none, said) `shouldBe` (1, half ++ ": none\n")
-  it "symbols of other shapes are labelled so, and are far from each symbol" $
+  it "images of other shapes have the class -1, and are far from each symbol" $
     inFolder $ \folder -> do
       let images = folder </> "images"
       (status, _, _) <-
@@ -268,7 +268,7 @@ spec = do
       status `shouldBe` 0
       labels <- drop 1 . lines <$> readFile (images </> "labels.csv")
       labels `shouldBe` ["-1_" ++ show i ++ ".pgm,-1" | i <- [0 .. 4 :: Int]]
-  it "the experiment writes its tables and curves, of one table the same rows" $
+  it "the experiment writes its tables and curves, and all tables have the same rows" $
     inFolder $ \folder -> do
       let made = folder </> "made"
           asked =

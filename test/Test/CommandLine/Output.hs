@@ -58,20 +58,20 @@ filesSpec = describe "a file" $ do
         `shouldReturn` (0, "", "")
       both <- traverse (pathIsSymbolicLink . (folder </>)) ["link", "dangling"]
       both `shouldBe` [True, True]
-  it "behind links that go round is refused" $
+  it "behind a cycle of links is refused" $
     inFolder $ \folder -> do
       createSymbolicLink "b" (folder </> "a")
       createSymbolicLink "a" (folder </> "b")
       outcome <- scripted folder "pra array --output a"
       outcome `refuses` "links"
-  it "that is a FIFO is written to as it is" $
+  it "that is a FIFO is written to directly" $
     inFolder $ \folder -> do
       createNamedPipe (folder </> "pipe") 0o600
       (status, out, err) <- scripted folder "cat pipe & pra array --output pipe; wait"
       (_, expected, _) <- pra ["array"]
       (status, out, err) `shouldBe` (0, expected, "")
       isNamedPipe <$> getFileStatus (folder </> "pipe") `shouldReturn` True
-  it "that is a device is written to as it is, by every command" $
+  it "that is a device is written to directly, by every command" $
     asRoot $
       inFolder $ \folder -> do
         callProcess "mknod" [folder </> "null", "c", "1", "3"]
@@ -84,7 +84,7 @@ filesSpec = describe "a file" $ do
           (command "full", status', length (lines err')) `shouldBe` (command "full", 2, 1)
           err' `shouldSatisfy` ("no space left on device" `isInfixOf`)
           (isCharacterDevice <$> getFileStatus (folder </> "full")) `shouldReturn` True
-  it "called - is the standard output, and nothing else is said there" $
+  it "called - is the standard output, which then holds nothing else" $
     inFolder $ \folder -> do
       for_ textWriters $ \command -> do
         let file = folder </> "file"
@@ -102,7 +102,7 @@ filesSpec = describe "a file" $ do
             ++ "cmp file stdout && test -s file"
         )
         `shouldReturn` (0, "", "")
-  it "that may not be written is refused, and left as it is" $
+  it "that may not be written is refused and not changed" $
     unlessRoot $
       inFolder $ \folder -> do
         writeFile (folder </> "mine") "mine"

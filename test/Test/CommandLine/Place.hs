@@ -40,7 +40,7 @@ spec = do
           \pra objects --database d.sqlite --add part.stl --json"
       key ["faces"] (last (lines added)) `shouldBe` Just (Number 12)
   -- Rounded coordinates leave the triangles of a slanted face a little out of one plane.
-  it "of triangles that are nearly one face it is told, and with which tolerance they are one" $
+  it "triangles that are nearly one face are reported, with the tolerance that merges them" $
     inFolder $ \folder -> do
       writeFile (folder ++ "/slanted.obj") slantedBox
       (_, apart, warned) <- scripted folder "pra place slanted.obj --json"
@@ -78,7 +78,7 @@ spec = do
       nothing `shouldSatisfy` ("inches" `isInfixOf`)
       (named, _, _) <- pra ["place", "cube", "box:4x5x3", "--face", "box:V1 V2 V3 V4"]
       named `shouldBe` 1
-  it "an object that carries nothing beside others that do is named" $ do
+  it "an object without symbols is named, if others have some" $ do
     (status, _, err) <- pra ["place", "cube", "lid=box:4x5x3"]
     (status, lines err) `shouldBe` (0, ["pra-tactile: warning: the lid carries no symbol"])
   -- A face with room for six symbols got one, and a box of 6 x 7 cells was called so many symbols.
@@ -116,7 +116,7 @@ spec = do
     (status, _, err) <- pra ["place", "box:60x60x200"]
     status `shouldBe` 0
     err `shouldSatisfy` ("warning: 2 faces cannot be told" `isInfixOf`)
-  it "options of files are refused where no file is read" $
+  it "options for files are refused if no file is read" $
     inFolder $ \folder -> do
       complains ["objects", "--scale", "25.4"] "--add and --replace"
       complains ["draw", "sheet", "--keep-triangles", "--output", folder ++ "/a.svg"] "'solid'"

@@ -12,7 +12,7 @@ import Test.Support
 
 spec :: Spec
 spec = do
-  describe "a plane that is none is refused" $
+  describe "an invalid plane is refused" $
     for_
       [ ("a rotation that is not orthogonal", plane "[[1,0.1,0],[0,1,0],[0,0,1]]", "rotation"),
         ("one that mirrors", plane "[[1,0,0],[0,1,0],[0,0,-1]]", "rotation"),

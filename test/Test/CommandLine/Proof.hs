@@ -102,7 +102,7 @@ proveSpec = describe "prove" $ do
       (key ["q"] out, key ["q"] out') `shouldBe` (Just (Number 3), Just (Number 5))
       complains (words "prove --window 1x1 --q 2" ++ [file]) "not below q"
       complains (words "prove --window 1x1 --q 257" ++ [file]) "257"
-  it "FILE: ragged rows, codes that are none, and empty files are status 2 with the line" $
+  it "FILE: ragged rows, invalid codes and empty files are status 2, with the line" $
     inFolder $ \folder -> do
       let file = folder </> "bad.csv"
       forM_
@@ -126,7 +126,7 @@ proveSpec = describe "prove" $ do
       complains ["prove", file] "--window"
       complains (words "prove --window 2x1 --surface sheet" ++ [file]) "no window"
       complains (words "prove --window 1x1 --polynomial 1,1" ++ [file]) "FILE"
-  it "a mask that is none, or beside --window, is status 2" $ do
+  it "an invalid mask, or a mask beside --window, is status 2" $ do
     forM_ ["", "..", "##/#", "#?"] $ \drawing ->
       void
         (pra ["prove", "--mask", drawing] >>= \(status, out, _) -> (status, out) `shouldBe` (2, ""))
@@ -185,7 +185,7 @@ certificateSpec = describe "certificate and check" $ do
     forM_ (words "prove certificate check census merge") $ \name -> do
       (status, out, _) <- pra [name, "--help"]
       (status, "Example" `isInfixOf` out) `shouldBe` (0, True)
-  it "what is no certificate is status 2 for check" $
+  it "check: a file that is not a certificate is status 2" $
     inFolder $ \folder -> do
       complains ["check", folder </> "none.json"] "none.json"
       forM_ ["", "{}", "[1]", "{\"schema\": \"pra-tactile/certificate/2\"}"] $ \text -> do

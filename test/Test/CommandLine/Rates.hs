@@ -125,12 +125,12 @@ spec = do
         ["soft_999_calibration", "wrong_counted"]
       ]
       $ \path -> (path, found path) `shouldSatisfy` (isJust . snd)
-  it "rates --plot: an SVG file beside the same table; refused before the work" $
+  it "rates --picture: an SVG file beside the same table; refused before the work" $
     inFolder $ \folder -> do
       let arguments = words "rates --trials 50 --size 2x2 --size 4x4 --erasures 0 --erasures 5"
           file = folder </> "rates.svg"
       table <- pra arguments
-      pra (arguments ++ ["--plot", file]) `shouldReturn` table
+      pra (arguments ++ ["--picture", file]) `shouldReturn` table
       picture <- readFile file
       forM_
         [ "<svg ",
@@ -143,8 +143,10 @@ spec = do
         $ \part ->
           picture `shouldSatisfy` (part `isInfixOf`)
       listDirectory folder `shouldReturn` ["rates.svg"]
-      complains (arguments ++ ["--plot", folder </> "no" </> "rates.svg"]) "folder does not exist"
-      complains (arguments ++ ["--plot", folder]) "is a folder"
+      complains
+        (arguments ++ ["--picture", folder </> "no" </> "rates.svg"])
+        "folder does not exist"
+      complains (arguments ++ ["--picture", folder]) "is a folder"
       doesPathExist (folder </> "no") `shouldReturn` False
   it "rates: other fields and foldings; no errors at all" $
     forM_
@@ -156,7 +158,7 @@ spec = do
         (status, out, err) <-
           pra (words "rates --trials 50 --erasures 20 --format csv" ++ words choice)
         (status, length (lines out), err) `shouldBe` (0, 2, "")
-  it "rates: what makes no sense is one line and status 2" $ do
+  it "rates: impossible options are one line and status 2" $ do
     let with options about = complains ("rates" : words options) about
     with "--trials 0" "--trials"
     with "--trials -3" "--trials"

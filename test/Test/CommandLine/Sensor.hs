@@ -158,7 +158,7 @@ spec = do
       case (key ["dead"] err, key ["gain"] err) of
         (Just (Array dead), Just (Array gain)) -> (length dead, length gain) `shouldBe` (2, 16)
         other -> expectationFailure (show other)
-  it "presses on foreign arrangements are none of them right, and change no others" $ do
+  it "presses on foreign arrangements are never right, and do not change the other presses" $ do
     let presses = byEffort (words "--presses 2 --size 32x40") ["--presses", "12"]
         -- Of these only the keys are looked at: a region of one frame will do.
         one = words "evaluate --presses 1 --seed 2 --size 16x16 --json"
@@ -199,7 +199,7 @@ spec = do
             ++ "--json > a; pra compare --placement p.json a t --json; press --bend 8.9 --output g"
       (status, key ["agree"] out) `shouldBe` (2, Just (Bool True))
       err `shouldSatisfy` ("more than 8.98 mm" `isInfixOf`)
-  describe "what cannot be is one line" bad
+  describe "impossible options are reported on one line" bad
 
 pressing :: [String]
 pressing = words "probe --object cube --seed 7"
@@ -234,7 +234,7 @@ bad = do
       ("decode data/worked-example/frames --calibration data/shapes.txt", "data/shapes.txt")
     ]
     $ \(arguments, about) -> it arguments (words arguments `complains` about)
-  it "manifests in JSON that are none" $
+  it "invalid manifests in JSON are refused" $
     inFolder $ \folder -> do
       let frames = folder </> "f"
           manifest = frames </> "manifest.json"

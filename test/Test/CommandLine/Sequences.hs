@@ -52,7 +52,7 @@ spec = do
       (status, null err) `shouldBe` (2, False)
       complains (words "sequence --q 2 --polynomial 1,0,1") "not primitive"
   describe "synthesise" $ do
-    it "finds the paper's polynomial from 8 symbols, in codes or in powers, parted by whatever" $
+    it "finds the paper's polynomial from 8 symbols, as codes or powers, with any separators" $
       for_ ["0 0 0 1 0 1 2 2", "0,0,0,1,0,1,2,2\n", "0 0 0 1\n0 1 A A\n"] $ \symbols ->
         praWith ["synthesise", "--q", "4"] symbols
           `shouldReturn` ( 0,
@@ -82,7 +82,7 @@ spec = do
       (status, out, _) <- praWith ["synthesise", "--q", "2"] "0 0 1 0 1"
       status `shouldBe` 1
       lines out `shouldContain` ["determined no: 6 symbols would determine it, and there are 5"]
-    it "refuses no symbols, a symbol that is none, and an alphabet that is none" $ do
+    it "refuses an empty input, an invalid symbol and an invalid alphabet" $ do
       complainsWith "" ["synthesise", "--q", "4"] "no symbols"
       complainsWith "0 1 2 4" ["synthesise", "--q", "4"] "symbol 4"
       complainsWith "0 1" ["synthesise", "--q", "6"] "6 is not a prime power"
@@ -180,7 +180,7 @@ spec = do
           look r c = unwords [cell r c, cell r (c + 1), "/", cell (r + 1) c, cell (r + 1) (c + 1)]
       locates ["locate", "--folding", "row-major", look 6 5] ["row 6, column 5"]
       locates ["locate", "--folding", "row-major", look 6 16] ["row 6, column 16"]
-    it "goes with no other name, nor beside a profile file" $ do
+    it "refuses an unknown name, and a profile file beside it" $ do
       (status, _, err) <- pra ["array", "--folding", "spiral"]
       (status, "diagonal or row-major" `isInfixOf` err) `shouldBe` (2, True)
       complains (words "array --profile some.json --folding diagonal") "--folding"

@@ -35,10 +35,10 @@ spec = do
         -- Some face has fewer symbols there than where it is begun otherwise.
         let fewer = numbersAfter "\"symbols\":" there /= numbersAfter "\"most_symbols\":" there
         (optionShape option, refused == 1 || fewer) `shouldBe` (optionShape option, True)
-  it "the array is looked for, and so not named" $ do
+  it "options that name the array are refused" $ do
     complains ["place", "cube", "--smallest", "--shape", "15x17"] "beside it only --q"
     complains ["place", "cube", "--smallest", "--onto", "x.json"] "--onto names one"
-  it "a sheet, which is as large as its array, has no smallest one" $ do
+  it "a sheet is refused, since it is as large as its array" $ do
     complains ["place", "sheet", "--smallest"] "--smallest"
     complains ["place", "cube", "plate=sheet", "--smallest"] "--smallest"
   where
