@@ -66,7 +66,7 @@ bin/pra-tactile:
 evaluate: build ## the figure that matters: 1000 simulated presses, with and without stitching
 	bin/pra-tactile evaluate --presses 1000 --seed 1
 
-# A file or more: make figures FILES=docs/explanation/locating.md. Half an hour for all, on two cores with nothing else to do.
+# A file or more: make figures FILES=docs/results/rates.md. Half an hour for all, on two cores with nothing else to do.
 figures: build ## run the commands that README and docs show, and put there what they print
 	@PATH="$(CURDIR)/bin:$$PATH" runghc $$(tools/extensions.sh) -itest tools/Figures.hs $(FILES)
 
