@@ -103,16 +103,16 @@ shapes: build ## design the shipped shapes again from their seed (some five minu
 	for q in 2 3 5 7 8 9; do bin/pra-tactile shapes --design --q $$q --output data/alphabets/gf$$q/shapes.txt || exit 1; done
 
 network: build ## train the shipped networks again from their seed
-	bin/pra-tactile train --output data/network.txt --calibration data/calibration.txt
+	bin/pra-tactile train --output data/network.txt --network-calibration data/calibration.txt
 	for q in 2 3 5 7 8 9; do \
-	  bin/pra-tactile train --q $$q --output data/alphabets/gf$$q/network.txt --calibration data/alphabets/gf$$q/calibration.txt || exit 1; \
+	  bin/pra-tactile train --q $$q --output data/alphabets/gf$$q/network.txt --network-calibration data/alphabets/gf$$q/calibration.txt || exit 1; \
 	done
 
 # One to nine minutes each, by the machine and the number of shapes; with the reference BLAS.
 check-network: build ## check that weights and calibrations are reproduced to the bit
 	for q in 4 2 3 5 7 8 9; do \
 	  folder=data/alphabets/gf$$q; [ $$q != 4 ] || folder=data; \
-	  bin/pra-tactile train --q $$q --output dist-newstyle/network.txt --calibration dist-newstyle/calibration.txt \
+	  bin/pra-tactile train --q $$q --output dist-newstyle/network.txt --network-calibration dist-newstyle/calibration.txt \
 	    && cmp $$folder/network.txt dist-newstyle/network.txt && cmp $$folder/calibration.txt dist-newstyle/calibration.txt \
 	    && echo "$$folder/network.txt and its calibration are reproduced to the bit" || exit 1; \
 	done

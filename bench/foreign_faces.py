@@ -1,7 +1,7 @@
 """Faces that carry other shapes than the alphabet's: how many presses on them are located, and how many of their symbols are recognised.
 
 The array is the shipped one, but each element has a shape that is none of ours: letters, and shapes drawn by chance by the rules of the
-alphabets (`images --foreign`), four others for every press. All are at least so many taxels from each of ours, turned or mirrored and shifted
+alphabets (`images --foreign-shapes`), four others for every press. All are at least so many taxels from each of ours, turned or mirrored and shifted
 by up to a taxel. Faces lie at any angle. Every answer with a place is wrong. A symbol is certain if it is recognised, and another shape with a
 probability below a tenth.
 

@@ -58,7 +58,7 @@ def main():
         for size in ("40x52", "100x100"):
             presses = [["probe", *large, "--size", size, "--output", f"{folder}/{size}-{k}"] for k in range(options.rounds)]
             row(f"a press of {size} taxels on 2^20 cells", "1 s, 150 MiB", presses, rounds=1)
-        measured([options.program, *"images --set bitmap --count 5000 --noise 0.3 --seed 1 --output".split(), folder + "/images"])
+        measured([options.program, *"images --set bitmap --count 5000 --image-noise 0.3 --seed 1 --output".split(), folder + "/images"])
         paths = "\n".join(map(str, sorted(pathlib.Path(folder, "images").glob("*.pgm")))) + "\n"
         row("20 000 images, `classify --batch`", "4 s", [["classify", "--batch", "--levels", "0.25,0.75"]], given=paths.encode())
         for q in (4, 2, 3, 5, 7, 8, 9) if options.training else ():

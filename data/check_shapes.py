@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 """Check drawings of shapes, without any of the program's code: python3 check_shapes.py FILE [REPORT.json ...]
-Prints the least distance and every fault; exit status 0: none, 1: faults, or a REPORT of 'pra-tactile shapes --check FILE --json'
+Prints the least distance and every fault; exit status 0: none, 1: faults, or a REPORT of 'pra-tactile shapes --examine FILE --json'
 that is wrong, 2: FILE is no drawings. The rules: shapes of 12 rows of 8 taxels, embossed (#) or flat (.), made of blocks of 2 x 2
 taxels, no two of which meet at a corner only; 48 to 56 taxels embossed, at least 4 along each side; all embossed ones in one
 piece, no flat one enclosed. The distance of two shapes is the least number of taxels in which one differs from the other turned

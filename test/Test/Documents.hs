@@ -178,11 +178,11 @@ briefly line = case words line of
   given@["pra-tactile", "vectors", "--output", _, "--operation", _] ->
     unwords (given ++ byEffort paper [])
   given@("pra-tactile" : "rates" : _)
-    | "--size" `elem` given -> setting "--trials" "50" given
-    | otherwise -> setting "--trials" "50" given ++ " --size 2x2"
+    | "--patch" `elem` given -> setting "--trials" "50" given
+    | otherwise -> setting "--trials" "50" given ++ " --patch 2x2"
   given@("pra-tactile" : "evaluate" : _) -> setting "--presses" "1" given
-  ["pra-tactile", "vectors", "--check", "data/vectors"] ->
-    "mkdir few; ln -s ../data/vectors/locate few; pra-tactile vectors --check few"
+  ["pra-tactile", "vectors", "--compare", "data/vectors"] ->
+    "mkdir few; ln -s ../data/vectors/locate few; pra-tactile vectors --compare few"
   _ -> line
   where
     paper = ["--profile", "examples/adapter/paper.json"]
