@@ -59,7 +59,7 @@ main = do
 type Known = (Maybe (Int, Symmetry), Raster)
 
 -- | A symbol: its estimate, and its truth with features.
-type Told = (Estimate, Labelled)
+type Told = (Estimate, LabelledFeatures)
 
 -- | The tables of a field: for symbols, for whether they belong to the alphabet, and for other
 -- shapes.
@@ -152,27 +152,27 @@ toldBy classifier (truth, image) = do
   let shapesSeen = classifierTemplates classifier
   pure
     ( estimateFrom (classifierCalibration classifier) shapesSeen image upright upsideDown,
-      Labelled truth (symbolFeatures shapesSeen image upright upsideDown)
+      LabelledFeatures truth (symbolFeatures shapesSeen image upright upsideDown)
     )
 
 -- | The doubt of class and orientation, and whether these were wrong.
 wrongClass :: Told -> (Double, Bool)
-wrongClass (e, Labelled truth _) = (estimateDoubt e, Just (estimateLikeliest e) /= truth)
+wrongClass (e, LabelledFeatures truth _) = (estimateDoubt e, Just (estimateLikeliest e) /= truth)
 
 -- | The doubt of whether a symbol belongs to the alphabet (prior 1/2), and whether that was wrong.
 wrongKind :: Told -> (Double, Bool)
-wrongKind (e, Labelled truth _) = (1 / (1 + exp (abs u)), (u > 0) /= isNothing truth)
+wrongKind (e, LabelledFeatures truth _) = (1 / (1 + exp (abs u)), (u > 0) /= isNothing truth)
   where
     u = estimateForeignShape e
 
 loss :: Told -> Double
-loss (e, Labelled truth _) = negate (log (maybe 1 (estimateChance e) truth))
+loss (e, LabelledFeatures truth _) = negate (log (maybe 1 (estimateChance e) truth))
 
 -- | The loss of a simpler model for comparison: the doubt is a logistic regression with three
 -- numbers, on the lead of the greatest logit and on the likeness to its shape, and all other
 -- classes share it equally.
 lossOfThree :: Told -> Double
-lossOfThree (_, Labelled truth (SymbolFeatures told _)) =
+lossOfThree (_, LabelledFeatures truth (SymbolFeatures told _)) =
   negate (log (if Just best == truth then 1 - doubt else doubt / others))
   where
     (greatest, (best, likeness)) = maximum [(z, (what, s)) | (what, (z, s)) <- told]

@@ -97,11 +97,11 @@ seenBy ::
   Templates ->
   (Raster -> Either NetworkError [Double]) ->
   [(Maybe (Int, Symmetry), Raster)] ->
-  Either NetworkError [Labelled]
+  Either NetworkError [LabelledFeatures]
 seenBy shapesSeen told = traverse seen
   where
     seen (truth, image) =
-      Labelled truth
+      LabelledFeatures truth
         <$> (symbolFeatures shapesSeen image <$> told image <*> told (onRaster (turned 2) image))
 
 -- | The calibration of a classifier on 300 symbols and 100 other shapes of each condition.

@@ -208,8 +208,8 @@ pictureSpec (layout, _, alphabet) array reader = describe "pictures of recogniti
                   (Right _, _) -> counterexample "another face" False
                   (Left _, page) -> pageFace page === []
   withCases 6 20 $
-    -- The faces lie upright: a tilt that is found is an error, which moves the corners.
-    prop "the outline on the face is where the composite was, to two taxels and by its tilt" $
+    -- The faces lie upright: a skew that is found is an error, which moves the corners.
+    prop "the outline on the face is where the composite was, to two taxels and by its skew" $
       \seed -> forAll (elements (laidFaces layout)) $ \face ->
         explored standardRegionSize seed face $ \known composite recognition -> case named
           "outline"

@@ -38,7 +38,7 @@ module PraTactile.Classification.Calibration
     logOddsOther,
 
     -- * Fitting
-    Labelled (..),
+    LabelledFeatures (..),
     fitted,
     fittedBytes,
     conditionalLogit,
@@ -159,12 +159,12 @@ otherRegressors likeliest (SymbolFeatures told u) =
     (z, s) = fromMaybe (0, 0) (lookup likeliest told)
 
 -- | An image whose truth is known: what it shows ('Nothing' for another shape), and its features.
-data Labelled = Labelled !(Maybe (Int, Symmetry)) !SymbolFeatures
+data LabelledFeatures = LabelledFeatures !(Maybe (Int, Symmetry)) !SymbolFeatures
 
 -- | The calibration of maximum posterior probability for labelled images of an alphabet with the
 -- given number of classes. Each number is rounded to three decimals, so that the last bits of the
 -- arithmetic do not matter.
-fitted :: Int -> [Labelled] -> Calibration
+fitted :: Int -> [LabelledFeatures] -> Calibration
 fitted classes images =
   Calibration (rounded alpha) (rounded beta) (map rounded gammas) (map rounded (toList others))
   where
@@ -176,7 +176,7 @@ fitted classes images =
         (vector ([perLogit prior, perLikeness prior] ++ classOffsets prior))
         (vector ([2500, 0.1] ++ replicate classes 10))
         [ (regressors (what, own), map regressors told)
-          | Labelled (Just what) (SymbolFeatures told _) <- images,
+          | LabelledFeatures (Just what) (SymbolFeatures told _) <- images,
             Just own <- [lookup what told]
         ]
     regressors ((c, _), (z, s)) =
@@ -187,7 +187,7 @@ fitted classes images =
         (vector (ofOthers prior))
         (vector [1, 1, 1, 100])
         [ (maybe other (const ours) truth, [ours, other])
-          | Labelled truth seen <- images,
+          | LabelledFeatures truth seen <- images,
             best : _ <- [sortOn (Down . snd) (classProbabilities ofOurs seen)],
             let other = vector (otherRegressors (fst best) seen)
         ]
