@@ -1,8 +1,8 @@
 {-# LANGUAGE OverloadedStrings #-}
 {-# OPTIONS_HADDOCK hide #-}
 
--- | The JSON that the command @evaluate@ writes. The file of a shard has one line per press, so that
--- it can be continued and shards can be merged.
+-- | The JSON that the command @evaluate@ writes. The file of a shard has one line per press, so
+-- that it can be continued and shards can be merged.
 --
 -- > {"schema":"pra-tactile/evaluate/1",...,"shard":[1,3],"setting":"5c0e...","results":[
 -- > {"press":1,"stitching":{"right":2.1e-6},"no_stitching":{"refused":"ambiguous"},"check":...}

@@ -23,11 +23,11 @@ import PraTactile.Symmetry
 -- | The orientation and class of a symbol that counts as a witness; 'Nothing' for any other.
 --
 -- A complete symbol counts if the network knows it as its likeliest class, its doubt ('readDoubt')
--- is below 0.1, and its probability of being a foreign shape ('readNone') is below 0.1. A part
--- counts if at least a third of it was touched and its doubt is below 0.001. Smaller parts do not
--- count: frames that are a taxel off may turn one symbol's part into another's. The network may
--- also know things that are not symbols, such as a remnant at an edge or a symbol that two frames
--- show in two places. These do not count, so they contradict no symbol.
+-- is below 0.1, and its probability of being a foreign shape ('readForeignProbability') is below
+-- 0.1. A part counts if at least a third of it was touched and its doubt is below 0.001. Smaller
+-- parts do not count: frames that are a taxel off may turn one symbol's part into another's. The
+-- network may also know things that are not symbols, such as a remnant at an edge or a symbol that
+-- two frames show in two places. These do not count, so they contradict no symbol.
 certain :: ReadSymbol -> Maybe (Symmetry, Int)
 certain s
   | readSeen s < 1 =

@@ -27,7 +27,7 @@ data Estimate = Estimate
     -- | the probability of each pair of a class and an orientation, each above 0; they add up to 1
     estimateChances :: ![((Int, Symmetry), Double)],
     -- | the logarithm of a likelihood ratio: of the image if it shows another shape, to the image
-    -- if it shows one of the alphabet ('unlikeness'); 0 if it was not computed
+    -- if it shows one of the alphabet ('logOddsOther'); 0 if it was not computed
     estimateForeignShape :: !Double
   }
   deriving stock (Eq, Show)

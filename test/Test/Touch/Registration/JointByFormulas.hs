@@ -72,7 +72,8 @@ genPlace = (,) <$> choose (-40, 40) <*> choose (-40, 40)
 gridSpec :: Spec
 gridSpec =
   it "displacements reach as far as the search, by half taxels: from 2 to 64 of them" $
-    [ gridReach (latticeGrid standardRegistration {registrationSigma = Just s, registrationReach = r})
+    [ gridReach . latticeGrid $
+        standardRegistration {registrationSigma = Just s, registrationReach = r}
       | (s, r) <- [(1, 4.5), (0.1, 1), (0.5, 2.2), (2, 4.5), (7, 4.5), (7.2, 4.5), (1, 0)]
     ]
       `shouldBe` [18, 2, 5, 36, 63, 64, 2]

@@ -82,7 +82,9 @@ genSought = do
 -- start, and the log prior.
 terms :: Registration -> Sought -> (Double, Double) -> (Double, Double)
 terms settings sought d =
-  ( logLikelihood (max 1e-9 (registrationNoise settings ^ (2 :: Int))) (at d) {overlapWeight = min (weight start) (weight d)},
+  ( logLikelihood
+      (max 1e-9 (registrationNoise settings ^ (2 :: Int)))
+      (at d) {overlapWeight = min (weight start) (weight d)},
     logPrior (soughtPrior sought) d
   )
   where

@@ -253,7 +253,8 @@ besideForeign = do
           image = mapRaster (\v -> 0.35 + 0.5 * v) (compositeImage composite)
           dimmed = composite {compositeImage = image}
           taken c = (compositeCoverage (maskedComposite c), maskedRejects c)
-      (name, k, taken (maskForeign dimmed) == taken (maskForeign composite)) `shouldBe` (name, k, True)
+      (name, k, taken (maskForeign dimmed) == taken (maskForeign composite))
+        `shouldBe` (name, k, True)
   it "a composite without foreign things is unchanged" $
     for_ scenes $ \(k, scene) -> do
       let composite = drawnWith k 0.05 (const Nothing) scene
