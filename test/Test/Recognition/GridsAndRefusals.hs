@@ -219,7 +219,7 @@ saidSpec = do
       `shouldBe` replicate 2 ["doubt 2.5e-1"]
   it "the lines of README.md are the program's for the worked example" $ do
     text <- lines <$> readFile "README.md"
-    let printed = takeWhile (/= "") (drop 2 (dropWhile (/= "prints") text))
+    let printed = takeWhile (/= "") (drop 2 (dropWhile (/= "It prints") text))
     frames <- readFolder "data/worked-example/frames" >>= right
     reader <- right canonicalRecogniser
     recognition <- right (decodeFolder reader frames)
