@@ -311,11 +311,11 @@ usageSpec = describe "usage" $ do
           "pra-tactile serve | sed -u '/\"refused\"/{n;s/\"result\":\\([0-9]\\)/\"result\":1\\1/}'"
         ]
     (status, lookup "field/in-any-order" (outcomes out)) `shouldBe` (1, Just "failed")
-  it "conform refuses to run without a command, or with the name of no law" $ do
+  it "conform refuses to run without a command, or with a name that no law has" $ do
     conforming [] `complains` "name the command"
     conforming ["--run", "no-such-law", "--", "true"]
       `complains` "no law is called \"no-such-law\""
-    conforming ["--cases", "0", "--", "true"] `complains` "--cases is a number from 1 up"
+    conforming ["--cases", "0", "--", "true"] `complains` "--cases must be a number, 1 or more"
     inFolder $ \folder -> do
       writeFile (folder </> "known") "field/no-such-law\n"
       conforming ["--known-failures", folder </> "known", "--", "true"]
