@@ -1,6 +1,6 @@
--- | The data formats of the command line, as functions between values and bytes. Encoders write what
--- the command writes, and decoders read it; not every output has a decoder. Each text is one line
--- without its line end, except census files and what 'folderFiles' makes.
+-- | The data formats of the command line, as functions between values and bytes. Encoders write
+-- what the command writes, and decoders read it; not every output has a decoder. Each text is one
+-- line without its line end, except census files and what 'folderFiles' makes.
 --
 -- >>> import PraTactile.Array (Shape (..))
 -- >>> import PraTactile.Certificate (Method (..), certificateWindows, certify)
