@@ -162,8 +162,8 @@ data Packing
     LeastSignificantFirst
   deriving stock (Eq, Ord, Show, Enum, Bounded)
 
--- | @pack packing q codes@ is the number whose base-q digits are the codes. All codes must be from 0
--- to below q, which is not checked. O(m) operations on numbers up to q^m.
+-- | @pack packing q codes@ is the number whose base-q digits are the codes. All codes must be from
+-- 0 to below q, which is not checked. O(m) operations on numbers up to q^m.
 --
 -- >>> pack MostSignificantFirst 4 [3, 2, 3, 1]
 -- 237
