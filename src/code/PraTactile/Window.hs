@@ -1,6 +1,7 @@
 -- | Windows: the few neighbouring cells whose content determines a position (section II of the
 -- paper). A window is a set of cells in reading order; a rectangle is read row by row. Its position
--- is its upper left corner, the cell from which offsets count, whether or not it is observed.
+-- is the cell from which offsets count, whether or not it is observed: the upper left cell of a
+-- rectangle, and for the offset (1, 1) alone the cell one row above and one column to the left.
 --
 -- The example shows rows 5 to 8 and columns 4 to 8 of the paper's array, with the window of its
 -- worked example, of two rows and two columns. Its position is (6, 5), its content A^2 A A^2 1, or
@@ -106,8 +107,8 @@ maskSize (Mask offsets) = length offsets
 maskExtent :: Mask -> Shape
 maskExtent = extentOf . maskOffsets
 
--- | The shape of the mask if it is a full rectangle, whatever its reading order; 'Nothing' for
--- others. O(m).
+-- | The shape of the mask if it is a full rectangle with its upper left cell at the window's
+-- position, whatever its reading order; 'Nothing' for others. O(m).
 maskRectangle :: Mask -> Maybe Shape
 maskRectangle mask
   | area extent == fromIntegral (maskSize mask) = Just extent
@@ -145,8 +146,9 @@ maskDrawing mask =
     Shape height width = maskExtent mask
     drawn cell = if cell `Set.member` cells then '#' else '.'
 
--- | The elements of the window at a position, in reading order. 'Nothing' exactly when a cell lies
--- beyond the edges of the sheet. The cost is that of 'cellAt' for each of the m cells.
+-- | The elements of the window at a position, in reading order. Every position has a window on a
+-- torus, which repeats beyond the shape. 'Nothing' exactly when a cell lies beyond the edges of the
+-- sheet. The cost is that of 'cellAt' for each of the m cells.
 windowAt :: KnownField k => ArrayOn k -> Mask -> Position -> Maybe [GF k]
 windowAt (ArrayOn surface array) mask position = traverse cell (maskOffsets mask)
   where
@@ -160,8 +162,8 @@ data Packing
     LeastSignificantFirst
   deriving stock (Eq, Ord, Show, Enum, Bounded)
 
--- | @pack packing q codes@ is the number whose base-q digits are the codes, each below q. O(m)
--- operations on numbers up to q^m.
+-- | @pack packing q codes@ is the number whose base-q digits are the codes. All codes must be from
+-- 0 to below q, which is not checked. O(m) operations on numbers up to q^m.
 --
 -- >>> pack MostSignificantFirst 4 [3, 2, 3, 1]
 -- 237

@@ -1,6 +1,6 @@
--- | The data formats of the command line, as functions from values to bytes and back. What these
--- functions write, the command reads, and the reverse. Each text is one line without its line end,
--- except census files.
+-- | The data formats of the command line, as functions between values and bytes. Encoders write
+-- what the command writes, and decoders read it; not every output has a decoder. Each text is one
+-- line without its line end, except census files and what 'folderFiles' makes.
 --
 -- >>> import PraTactile.Array (Shape (..))
 -- >>> import PraTactile.Certificate (Method (..), certificateWindows, certify)
@@ -23,10 +23,14 @@ module PraTactile.Format
     RowError (..),
 
     -- * Profiles
+
+    -- | The conventions of an array.
     encodeProfile,
     decodeProfile,
 
     -- * Certificates
+
+    -- | Proofs that windows are unique, and the check of such a file.
     encodeCertificate,
     decodeCertificate,
     CertificateFile (..),
@@ -35,6 +39,8 @@ module PraTactile.Format
     encodeCheck,
 
     -- * Answers of @locate@
+
+    -- | The place of a patch, or why there is none.
     encodeAnswer,
     decodeAnswer,
     AnswerReport (..),
@@ -42,6 +48,8 @@ module PraTactile.Format
     AnswerContext (..),
 
     -- * Answers of @decode@ and the truth
+
+    -- | The place of a press, the true place, and their comparison.
     encodeRecognition,
     decodeRecognition,
     RecognitionReport (..),
@@ -57,6 +65,8 @@ module PraTactile.Format
     encodeComparison,
 
     -- * Sensors and their frames
+
+    -- | Simulated sensors, the calibration of real ones, and the manifest of a folder.
     encodeSensor,
     decodeSensor,
     encodeCalibration,
@@ -66,6 +76,8 @@ module PraTactile.Format
     folderFiles,
 
     -- * Rates and objects
+
+    -- | How often patches are located; what lies at a position; the faces on an array.
     encodeRates,
     RatesReport (..),
     encodeObjects,
@@ -75,6 +87,8 @@ module PraTactile.Format
     PlacementFileError (..),
 
     -- * Fields, polynomials and sequences
+
+    -- | Outputs of @field@, @polynomials@, @array@, @sequence@ and @synthesise@.
     encodeField,
     encodePolynomials,
     PolynomialKind (..),
@@ -84,9 +98,13 @@ module PraTactile.Format
     SynthesisReport (..),
 
     -- * Advice
+
+    -- | Which arrays of at least a given size exist.
     encodeAdvice,
 
     -- * Census files
+
+    -- | The arrays and windows of one size, with the proofs of each.
     encodeCensus,
     decodeCensus,
     Row (..),

@@ -82,7 +82,7 @@ data Claim = Claim
     claimPlace :: (Double, Double),
     -- | the same point in the robot's coordinates, millimetres
     claimSeenAt :: (Double, Double),
-    -- | the angle of the face in degrees clockwise, if the answer states it
+    -- | the angle of the face in degrees clockwise, if the answer states it; 'compared' ignores it
     claimAngle :: Maybe Double
   }
   deriving stock (Eq, Show)

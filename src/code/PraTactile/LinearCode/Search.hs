@@ -96,6 +96,7 @@ changes q k w
 -- | The near codewords that are wanted.
 data Wanted
   = -- | One of those nearest to zero: a codeword stands for its multiples, and zero does not count.
+    -- The start of 'nearAt' must be zero.
     OneLightest
   | -- | All of them, if there are at most this many; otherwise only those nearer than some
     -- distance.
@@ -112,7 +113,9 @@ data Level = Level
 
 -- | The near codewords that were found.
 data Near k = Near
-  { -- | Every tested codeword that differs in at most this many of the other places is listed.
+  { -- | For 'AllUpTo', every tested codeword that differs in at most this many of the other places
+    -- is listed. For 'OneLightest' there is no such codeword; the listed one, if any, differs in
+    -- one place more.
     nearLimit :: !Int,
     -- | For each codeword, the number of the other places in which it differs, and its combination
     -- of rows.
@@ -130,7 +133,9 @@ data Scan (k :: Field) = Scan
 type role Scan nominal
 
 -- | The combinations of exactly the level's number of rows that differ from the start, at the other
--- places, in at most the level's limit.
+-- places, in at most the level's limit. The start has one element for each of the other places: the
+-- word minus the codeword that agrees with it at the places of the set ('agreeingAt'). Its length
+-- is not checked.
 nearAt :: KnownField k => Wanted -> InformationSet k -> Vector (GF k) -> Level -> Near k
 nearAt wanted set start (Level w limit)
   | limit < 0 || w > setSize set = Near limit []

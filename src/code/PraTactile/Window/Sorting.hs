@@ -25,7 +25,8 @@ import Data.Word (Word64)
 -- | Sorts words in ascending order, by their bytes from the highest. The first argument is a number
 -- of bits; all words must be below 2^bits, which is not checked. Each pass counts how often each
 -- byte occurs, then exchanges words until every word is in the range of its byte (the American flag
--- sort of McIlroy, Bostic and McIlroy, Computing Systems 6, 1993). It needs no further memory.
+-- sort of McIlroy, Bostic and McIlroy, Computing Systems 6, 1993). Fewer than 32 words are sorted
+-- by insertion. Each pass needs a few tables of at most 257 counts; at most 8 passes are nested.
 sortWords :: Int -> MVector s Word64 -> ST s ()
 sortWords bits words' =
   byByte (max 0 (((bits + 7) `div` 8 - 1) * 8)) 0 (Mutable.length words') words'

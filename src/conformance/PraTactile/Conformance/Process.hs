@@ -1,5 +1,8 @@
 -- | A subject in another process, in any language. It speaks the protocol: JSON lines on standard
 -- input and output. Any other behaviour becomes a named fault.
+--
+-- 'Command' is the program with its arguments, 'Limits' has the time limits in seconds, and
+-- 'checkTexts' lists the ids and sentences of the protocol's checks ('subjectChecks').
 module PraTactile.Conformance.Process
   ( Command (..),
     Mode (..),
@@ -29,8 +32,10 @@ data Mode
     OneShot
   deriving stock (Eq, Show)
 
--- | Starts a command and uses it as a subject. In the end all its processes are gone. 'Left' if it
--- cannot be started or never answers. The program must use the threaded run-time system.
+-- | Starts a command and uses it as a subject. In the end all its processes are gone. 'Left' has
+-- the fault of the start: the command cannot be started, or gives no valid first reply in time.
+-- Later faults are results of the subject's actions. Link the program that calls this with
+-- @-threaded@; the command may be any program.
 withProcess :: Mode -> Limits -> Command -> (Subject -> IO a) -> IO (Either Fault a)
 withProcess mode limits command use = case mode of
   InSession -> withSession limits command (use . inSession limits)

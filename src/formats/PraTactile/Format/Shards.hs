@@ -21,7 +21,8 @@ data PartsError
   deriving stock (Eq, Show)
 
 -- | All parts in order. The arguments are the number of the first part, the number of parts, and
--- the parts with their files and numbers. Refuses missing and repeated parts.
+-- the parts with their files and numbers. Refuses missing and repeated parts. Numbers before the
+-- first part or after the last are not checked: callers must exclude them.
 together :: Natural -> Natural -> [(FilePath, Natural, a)] -> Either PartsError [a]
 together start count given = do
   found <- foldM insert Map.empty given

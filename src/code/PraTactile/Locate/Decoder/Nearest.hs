@@ -28,11 +28,12 @@ import PraTactile.Locate.Patch
 import PraTactile.Locate.Query (Radius, radiusFor)
 
 -- | Finds the nearest position of an upright patch's upper left cell within the radius, and the
--- cells that are wrong there. If there is none, the reason is that of the exact search for radius
--- 0, 'ZeroWindow' if the patch is within the radius of all zeros, and else 'BeyondRadius'. Several
--- equally near positions are 'Ambiguous'; that needs a radius beyond the guaranteed one, or cells
--- that have the same content at several positions. Without observed cells the reason is
--- 'TooFewCells'. O(m N) for m observed cells and N positions.
+-- cells that are wrong there. The guaranteed radius is the largest e with 2 e < d, or 0 if d is 0;
+-- 'radiusFor' chooses it or the stated one. If there is no position, the reason is that of the
+-- exact search for radius 0, 'ZeroWindow' if the patch is within the radius of all zeros, and else
+-- 'BeyondRadius'. Several equally near positions are 'Ambiguous'; that needs a radius beyond the
+-- guaranteed one, or cells that have the same content at several positions. Without observed cells
+-- the reason is 'TooFewCells'. O(m N) for m observed cells and N positions.
 nearest :: forall k. KnownField k => Codebook k -> Radius -> Patch (GF k) -> Decision Position
 nearest codebook stated observed
   | null cells = nowhereDecision (radiusFor stated 0)

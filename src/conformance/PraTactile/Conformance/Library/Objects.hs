@@ -32,14 +32,16 @@ import PraTactile.Pose.Matrix (diagonal)
 librarySolid :: Description -> Wire Report
 librarySolid = pure . examine . fromDescription
 
--- | The whereabouts of a window, by its shape and upper left cell.
+-- | The whereabouts of a window, by its shape and upper left cell. Refuses faces that cannot be
+-- laid so: @impossible-placement@.
 libraryWhereabouts :: Mapped -> Shape -> Position -> Wire WhereaboutsReport
 libraryWhereabouts (Mapped shape (right, down) objects layings) window at =
   case drawnPlacement shape (Pitch right down) objects layings of
     Left _ -> refuse "impossible-placement"
     Right place -> pure (whereaboutsReport (Just (whereabouts place window at)))
 
--- | A polyhedron whose only face has these corners.
+-- | A polyhedron whose only face has these corners. Refuses corners that are no polygon in a plane:
+-- @impossible-face@.
 oneFace :: [Point] -> Wire Mesh
 oneFace corners = do
   when (any ((`elem` faults) . defectKind) (reportDefects (examine it))) $
@@ -50,7 +52,10 @@ oneFace corners = do
     names = [VertexName (show i) | i <- [1 .. length corners]]
     faults = [CoincidentVertices, TooFewVertices, NoArea, NotPlanar, FaceCrossesItself]
 
--- | The cells of symbols on a face with these corners, at these distances along a row and a column.
+-- | The cells of symbols on a face with these corners, at these distances along a row and a column:
+-- rows of @#@ for a cell on the face and @.@ for any other. Refuses what 'oneFace' refuses and
+-- distances that are not positive (@impossible-face@), and rows that together do not fit in a line
+-- of the protocol (@too-long@).
 libraryCells :: [Point] -> (Rational, Rational) -> Wire [String]
 libraryCells corners pitch@(right, down) = do
   it <- oneFace corners
@@ -65,7 +70,9 @@ libraryCells corners pitch@(right, down) = do
       | r <- [0 .. gridRows grid - 1]
     ]
 
--- | The pose of an object from felt points of a face.
+-- | The pose of an object from felt points of a face: in the world if a plane is given, else in the
+-- robot's frame. Refuses what 'oneFace' refuses, and points that leave the rotation open
+-- (@undetermined@).
 libraryPose :: Felt -> Wire Pose
 libraryPose (Felt corners seen sd plane) = do
   _ <- oneFace corners

@@ -17,12 +17,14 @@ import PraTactile.Object.Rims
 import PraTactile.Object.Vector
 import PraTactile.Object.View.Camera
 
--- | A vertex that is seen, with places on the picture.
+-- | A vertex that is seen, with places on the picture ('onPicture'): millimetres right of and below
+-- the centre.
 data SeenVertex = SeenVertex
   { seenName :: VertexName,
     -- | its place
     seenAt :: !(Double, Double),
-    -- | the places of the other ends of those of its edges that belong to a face turned to the eye
+    -- | the places of the other ends of its edges, once for each face at the edge that is turned to
+    -- the eye
     seenEdges :: [(Double, Double)]
   }
   deriving stock (Eq, Show)
