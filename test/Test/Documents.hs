@@ -108,9 +108,9 @@ spec = do
 linksIn :: String -> [String]
 linksIn text =
   [ target
-    | after <- tails (unlines (proseOf text)),
-      Just rest <- [stripPrefix "](" after],
-      let target = takeWhile (/= ')') rest,
+    | rest <- tails (unlines (proseOf text)),
+      Just linked <- [stripPrefix "](" rest],
+      let target = takeWhile (/= ')') linked,
       not ("http" `isPrefixOf` target)
   ]
 

@@ -140,7 +140,7 @@ spec = do
     -- The blocks of Python in a page.
     pythonIn page = case dropWhile (/= "```python") page of
       [] -> []
-      _ : others -> let (block, after) = break (== "```") others in block : pythonIn after
+      _ : others -> let (block, rest) = break (== "```") others in block : pythonIn rest
 
 -- | Expects that it is certified, under the default profiles if no others are given.
 certified :: [String] -> [String] -> Expectation

@@ -153,12 +153,12 @@ argumentsSpec = describe "arguments" $ do
       pra (images ++ [noise ++ "=-1"]) >>= (`refuses` ("pra-tactile: " ++ noise ++ " must be"))
       pra (images ++ [other, "97"]) >>= (`refuses` ("pra-tactile: " ++ other ++ " must be"))
   it "an option's older name does what the new one does, and the help does not show it" $
-    for_ olderNames $ \(line, names) -> do
-      let renamed = [fromMaybe word (lookup word names) | word <- words line]
+    for_ olderNames $ \(line, older') -> do
+      let renamed = [fromMaybe given (lookup given older') | given <- words line]
       older <- pra renamed
       (,) line <$> pra (words line) `shouldReturn` (line, older)
       (_, text, _) <- pra (take 1 (words line) ++ ["--help"])
-      [old | (_, old) <- names, old `elem` map bare (words text)] `shouldBe` []
+      [old | (_, old) <- older', old `elem` map bare (words text)] `shouldBe` []
   it "an empty text is refused as the name of a file or a folder, by every option" $ do
     for_ commandsOfHelp $ \(Command name options arguments) -> do
       let paths =

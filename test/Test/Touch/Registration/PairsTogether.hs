@@ -88,7 +88,7 @@ fieldByFormulas count said = Map.elems (go (10 :: Int) Map.empty)
               let apart (x, y) (u, v) = (sign * (x - u), sign * (y - v)),
               let logs e = fromMaybe (-1 / 0) (Map.lookup e table)
           ]
-        priors = normalised (Map.fromList [(d, robot d + sum (map ($ d) heard)) | d <- square])
+        priors = posteriorOf (Map.fromList [(d, robot d + sum (map ($ d) heard)) | d <- square])
         others = [q | (i, q) <- Map.toList at, i /= k]
         m = genericLength others :: Double
         middle part = if null others then 0 else sum (map (expected part) others) / m
@@ -104,7 +104,7 @@ fieldByFormulas count said = Map.elems (go (10 :: Int) Map.empty)
               f = if m > 0 then m / (m + 1) else 1
            in log (sum [shares v / both / v * exp (negate f * t / (2 * v)) | v <- variances])
         both = sum (map shares variances)
-    normalised logs =
+    posteriorOf logs =
       let most = maximum logs
           masses = Map.map (exp . subtract most) logs
        in Map.map (/ sum masses) masses
