@@ -80,6 +80,7 @@ import PraTactile.Classification.Network.File (networkText)
 import PraTactile.Classification.Templates
 import PraTactile.Decimal (readDouble)
 import PraTactile.Image (Raster, onRaster)
+import PraTactile.Probability (logSum)
 import PraTactile.Symmetry
 import Prelude hiding ((<>))
 
@@ -231,7 +232,6 @@ conditionalLogit means precisions choices = go (30 :: Int) means
     likelihood w =
       sum [chosen <.> w - logSum (toList (xs #> w)) | (chosen, xs) <- seen]
         - ((precisions * (w - means)) <.> (w - means)) / 2
-    logSum es = let top = maximum es in top + log (sum [exp (e - top) | e <- es])
 
 -- | A calibration as text: a heading, then one line each for alpha, beta, gamma and delta.
 renderCalibration :: Calibration -> Text

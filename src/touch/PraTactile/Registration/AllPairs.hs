@@ -57,22 +57,22 @@ registerPairwise :: Registration -> [(Taxels, Raster)] -> Pairwise
 registerPairwise settings frames = Pairwise (fst (centred estimates)) sigma relief
   where
     relief = reliefBy settings (map snd frames)
-    pairs = map (pairOf settings relief nominal) (compared frames)
-    nominal = Boxed.fromList (map fst frames)
-    beyond = [rest place | (place, _) <- frames]
+    pairs = map (pairOf settings relief (Boxed.map fst nominal)) (compared frames)
+    nominal = Boxed.fromList (map (onGrid grid . fst) frames)
+    beyond = map snd (Boxed.toList nominal)
     fields = pairwiseField grid beyond (pairReach settings) pairs
     told = fold (zipWith (momentsOf grid) beyond fields)
     sigma
       | null pairs = Nothing
       | otherwise = Just (likelySigma grid (squaresAbout told))
     grid = pairsGrid settings
-    onGrid' = [estimateAt grid r (onPoints grid field) | (r, field) <- zip beyond fields]
+    byGrid = [estimateAt grid r (onPoints grid field) | (r, field) <- zip beyond fields]
     places =
       leastSquares grid settings relief told nominal pairs $
         [ (likeliest grid r field, estimateProbability l)
-          | (r, field, l) <- zip3 beyond fields onGrid'
+          | (r, field, l) <- zip3 beyond fields byGrid
         ]
-    estimates = zipWith estimated onGrid' places
+    estimates = zipWith estimated byGrid places
     -- The offset between grid points also applies to a frame's alternative displacements.
     estimated l place = moveBy ((eighth (fst place), eighth (snd place)) `minus` estimateShift l) l
 
@@ -134,16 +134,16 @@ comparedPixels settings frames = sum (map pixels (compared frames))
     area = maximum (1 : [rasterWidth image * rasterHeight image | (_, image) <- frames])
     displacements = (2 * pairReach settings + 1) ^ (2 :: Int)
 
--- | Refines displacements between grid points by least squares, from the likeliest grid points and
--- their probabilities. A pair acts as a spring: it pulls its frames to its highest L nearby, plus
--- their offset there. Its weight is that offset's precision times the probability that both frames
--- are there and show one relief.
+-- | Refines displacements between grid points by least squares, from the nominal places ('onGrid'),
+-- the pairs, and the likeliest grid points with their probabilities. A pair acts as a spring: it
+-- pulls its frames to its highest L nearby, plus their offset there. Its weight is that offset's
+-- precision times the probability that both frames are there and show one relief.
 leastSquares ::
   Grid ->
   Registration ->
   Relief ->
   Moments ->
-  Boxed.Vector Taxels ->
+  Boxed.Vector ((Int, Int), Taxels) ->
   [Pair] ->
   [(Taxels, Double)] ->
   [Taxels]
@@ -163,9 +163,10 @@ leastSquares grid settings relief told nominal pairs start = zip (solved fst) (s
         e@(ex, ey) = ((fromIntegral i, fromIntegral j) `plus` offset) `minus` beyond
         ((i, j), one) = highestNear settings pair (round x, round y)
         (offset, (wx, wy)) = between relief (k, l) (i + stepX, j + stepY)
-        (stepX, stepY) = gridStep (nominal Boxed.! k) (nominal Boxed.! l)
+        (stepX, stepY) = gridStep pointK pointL
         (x, y) = ((places Boxed.! l) `minus` (places Boxed.! k)) `plus` beyond
-        beyond = rest (nominal Boxed.! l) `minus` rest (nominal Boxed.! k)
+        beyond = beyondL `minus` beyondK
+        ((pointK, beyondK), (pointL, beyondL)) = (nominal Boxed.! k, nominal Boxed.! l)
     -- Each frame in turn moves to the weighted mean of its pairs and the robot's prior.
     solved part =
       let from = IntMap.fromList (zip [0 ..] (map (part . fst) start))

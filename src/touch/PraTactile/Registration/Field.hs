@@ -38,7 +38,8 @@ where
 import Data.Vector.Storable (Vector)
 import qualified Data.Vector.Storable as V
 import PraTactile.Composite.Blend (Taxels)
-import PraTactile.Registration.Model (logSum, normalLog)
+import PraTactile.Probability (logSum)
+import PraTactile.Registration.Model (normalLog)
 import PraTactile.Registration.Numbers (mostReach, placesPerTaxel, sigmasPerOctave)
 import PraTactile.Registration.Settings (Registration (..), sigmasFor)
 

@@ -19,6 +19,7 @@ import PraTactile.Composite.Lattice (Lattice (..))
 import PraTactile.Composite.Noise (spacedOut)
 import PraTactile.Geometry (cosineSine, rotated)
 import PraTactile.Image (rasterHeight, rasterSize, rasterWidth)
+import PraTactile.Probability (logSum)
 import PraTactile.Registration.Estimate
 import PraTactile.Registration.Field
 import PraTactile.Registration.Field.Cells
@@ -43,7 +44,6 @@ import PraTactile.Registration.Lattice.Likelihood (likelihoodTheta)
 import PraTactile.Registration.Lattice.Places
 import PraTactile.Registration.Lattice.Template
 import PraTactile.Registration.Levelling
-import PraTactile.Registration.Model (logSum)
 import PraTactile.Registration.Numbers (keptPixels, outlier, phaseFrames, placesPerTaxel)
 import PraTactile.Registration.Posterior (Hypothesis (..))
 import PraTactile.Registration.Settings (Registration (..))

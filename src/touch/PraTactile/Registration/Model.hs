@@ -110,7 +110,6 @@ module PraTactile.Registration.Model
 
     -- * Displacements
     normalLog,
-    logSum,
     eighth,
   )
 where
@@ -201,9 +200,3 @@ normalLog variance square = negate square / (2 * variance)
 -- | Rounds to an eighth of a taxel, the resolution of reported displacements.
 eighth :: Double -> Double
 eighth t = fromIntegral (round (8 * t) :: Int) / 8
-
--- | Log-sum-exp. The list must not be empty.
-logSum :: [Double] -> Double
-logSum logs = top + log (sum [exp (l - top) | l <- logs])
-  where
-    top = maximum logs

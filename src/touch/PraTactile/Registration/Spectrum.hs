@@ -46,9 +46,9 @@ import qualified Data.Vector as Boxed
 import Data.Vector.Storable (Vector)
 import qualified Data.Vector.Storable as V
 import PraTactile.Image (Raster)
+import PraTactile.Probability (logSum)
 import PraTactile.Registration.Cosine
 import PraTactile.Registration.Loops
-import PraTactile.Registration.Model (logSum)
 import PraTactile.Registration.Numbers (alike, gainVariance, mostNoise, tempering)
 
 -- | Tables for frames of one size; each is computed on first use.

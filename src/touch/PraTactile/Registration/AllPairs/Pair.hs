@@ -9,15 +9,14 @@ module PraTactile.Registration.AllPairs.Pair
     highestNear,
     byFrame,
     gridStep,
-    rest,
   )
 where
 
 import qualified Data.Vector as Boxed
 import Data.Vector.Storable (Vector)
 import qualified Data.Vector.Storable as V
-import PraTactile.Composite.Blend (Taxels)
 import PraTactile.Registration.Neighbours (Neighbours (..))
+import PraTactile.Registration.Numbers (mostReach)
 import PraTactile.Registration.Overlap
 import PraTactile.Registration.Settings
 
@@ -35,12 +34,12 @@ data Pair = Pair
 -- | The largest relative displacement of two frames beside the nominal one, taxels. It is two
 -- standard deviations of their difference, for the robot's largest error.
 pairReach :: Registration -> Int
-pairReach settings = max 1 (min 12 (ceiling (2 * sqrt 2 * snd (sigmasFor settings))))
+pairReach settings = max 1 (min mostReach (ceiling (2 * sqrt 2 * snd (sigmasFor settings))))
 
--- | Compares a pair, given the nominal places of all frames. Displacements beyond 'pairReach' are
--- ignored.
-pairOf :: Registration -> Relief -> Boxed.Vector Taxels -> Neighbours -> Pair
-pairOf settings relief places (Neighbours k l step _) =
+-- | Compares a pair, given the grid points nearest to the nominal places of all frames.
+-- Displacements beyond 'pairReach' are ignored.
+pairOf :: Registration -> Relief -> Boxed.Vector (Int, Int) -> Neighbours -> Pair
+pairOf settings relief points (Neighbours k l step _) =
   Pair k l most (V.map (\t -> realToFrac (exp (t - most))) logs)
   where
     most = V.maximum logs
@@ -48,7 +47,7 @@ pairOf settings relief places (Neighbours k l step _) =
     grid = Displacements (stepX - reach, stepY - reach) (side, side)
     reach = pairReach settings
     side = 2 * reach + 1
-    (stepX, stepY) = gridStep (places Boxed.! k) (places Boxed.! l)
+    (stepX, stepY) = gridStep (points Boxed.! k) (points Boxed.! l)
 
 -- | The relative grid displacement with the highest L within a taxel of the given one, and the
 -- probability that both frames show one relief there.
@@ -63,17 +62,9 @@ highestNear settings pair (x0, y0) = (highest, share / max 1e-300 (share + apart
       | max (abs x) (abs y) > reach = 0
       | otherwise = pairShares pair V.! ((y + reach) * (2 * reach + 1) + x + reach)
 
--- | The step between the grid points nearest to two places, taxels.
-gridStep :: Taxels -> Taxels -> (Int, Int)
-gridStep (x, y) (x', y') = (round x' - round x, round y' - round y)
-
--- | A place's offset from the nearest grid point.
-rest :: Taxels -> Taxels
-rest (x, y) = (x - nearest x, y - nearest y)
-
--- | Rounds to a whole number.
-nearest :: Double -> Double
-nearest t = fromIntegral (round t :: Int)
+-- | The step from one grid point to another, taxels.
+gridStep :: (Int, Int) -> (Int, Int) -> (Int, Int)
+gridStep (x, y) (x', y') = (x' - x, y' - y)
 
 -- | Groups values by frame, given the number of frames and pairs of a frame's number and a value.
 byFrame :: Int -> [(Int, a)] -> Boxed.Vector [a]

@@ -41,6 +41,7 @@ import Data.List (foldl')
 import Data.Map.Strict (Map)
 import qualified Data.Map.Strict as Map
 import qualified Data.Vector.Unboxed as Unboxed
+import PraTactile.Probability (logSum)
 import PraTactile.Registration.Field
 import PraTactile.Registration.Joint.Displacement
   ( ClassLogs,
@@ -48,7 +49,7 @@ import PraTactile.Registration.Joint.Displacement
     cellRowColumn,
     displacementCells,
   )
-import PraTactile.Registration.Model (cellLog, classPrior, logSum)
+import PraTactile.Registration.Model (cellLog, classPrior)
 import PraTactile.Registration.Numbers (absence, cellShare, heardOfCells, mostSweeps, outlier)
 
 -- | The posterior of the displacements of all frames.

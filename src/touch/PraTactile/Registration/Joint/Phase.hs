@@ -17,11 +17,11 @@ import Data.List (foldl', foldl1')
 import Data.Vector.Storable (Vector)
 import qualified Data.Vector.Storable as V
 import PraTactile.Composite.Blend (Taxels)
+import PraTactile.Probability (logSum)
 import PraTactile.Registration.Field
 import PraTactile.Registration.Lattice.Likelihood (Likelihood (..))
 import PraTactile.Registration.Lattice.Places (phaseCount)
 import PraTactile.Registration.Loops (dotWithin, tabulate)
-import PraTactile.Registration.Model (logSum)
 import PraTactile.Registration.Numbers (outlier, placesPerTaxel)
 
 -- | The likeliest phase of the lattice under all frames.

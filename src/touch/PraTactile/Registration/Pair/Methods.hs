@@ -14,11 +14,11 @@ import qualified Data.Vector.Storable as V
 import PraTactile.Composite.Blend (Taxels)
 import PraTactile.Image (Raster)
 import PraTactile.Image.Correlate (Overlap (..), overlapAt, referenceOf)
+import PraTactile.Probability (logSum)
 import PraTactile.Registration.Correlation (logLikelihood)
 import PraTactile.Registration.Field
 import PraTactile.Registration.Joint.TwoFrames
 import PraTactile.Registration.Lattice.Likelihood (Likelihood)
-import PraTactile.Registration.Model (logSum)
 import PraTactile.Registration.Numbers (independent, placesPerTaxel)
 import PraTactile.Registration.Overlap
 import PraTactile.Registration.Posterior
