@@ -83,8 +83,7 @@ conformOptions =
     <*> optionalFile
       "badge"
       "FILE"
-      "Also write a badge's text to this file, as badge services \
-      \read it"
+      "Also write a badge's text to this file, as badge services read it"
     <*> many
       ( strArgument
           ( metavar "COMMAND ARGS..." <> action "command"
@@ -101,8 +100,7 @@ conformOptions =
       \is register, stitch, segment and network"
     runHelp = "Try only the laws whose id matches, as in 'field/*' or commutes; may be repeated"
     knownHelp =
-      "A file of laws that are known to fail: an id or a pattern on each line, # before \
-      \a comment"
+      "A file of laws that are known to fail: an id or a pattern on each line, # before a comment"
     profileHelp =
       "A profile as 'pra-tactile profile' prints it, in place of the suite's profiles; may be \
       \repeated"

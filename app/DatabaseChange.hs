@@ -60,16 +60,14 @@ taskOption =
       Replace
       ( long "replace"
           <> help
-            "Replace objects of the database by those of the \
-            \same names"
+            "Replace objects of the database by those of the same names"
       )
     <|> flag' Remove (long "remove" <> help "Remove the objects of these names from the database")
     <|> Export
     <$> fileOption
       "export"
       "FILE"
-      "Write the placement that the database holds to this file, as \
-      \'place' writes it"
+      "Write the placement that the database holds to this file, as 'place' writes it"
     <|> orAliasFlag
       "check"
       Check

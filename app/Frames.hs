@@ -35,8 +35,7 @@ framesArgument =
         ( metavar "PATH..."
             <> action "file"
             <> help
-              "Images, folders of frames, or single frames; - is an image on the standard \
-              \input"
+              "Images, folders of frames, or single frames; - is an image on the standard input"
         )
     )
 

@@ -43,10 +43,10 @@ module Options
   )
 where
 
+import Counted (numberText)
 import Data.ByteString (ByteString)
 import qualified Data.ByteString.Char8 as Bytes
 import ExitStatus
-import Numeric (showFFloat)
 import Numeric.Natural (Natural)
 import Options.Applicative hiding (columns, command)
 import qualified Options.Applicative as Parser (command)
@@ -192,13 +192,10 @@ usually standard reader name meta text =
 -- | A value as help shows it: numbers without an exponent.
 plainly :: Show a => a -> String
 plainly shown = case reads text of
-  [(number, "")] | any (`elem` ".e") text -> withoutZeros (showFFloat Nothing (number :: Double) "")
+  [(number, "")] | any (`elem` ".e") text -> numberText number
   _ -> text
   where
     text = show shown
-    withoutZeros digits = case break (== '.') digits of
-      (whole, ".0") -> whole
-      _ -> digits
 
 -- | An option whose value is a file: its name, the metavariable of its value, and its help.
 fileOption :: String -> String -> String -> Parser FilePath
@@ -278,8 +275,7 @@ surfaceOption =
   optional (choosing "surface" (allNamed surfaceName) "surface" "SURFACE" text mempty)
   where
     text =
-      "Surface of the array: torus, twisted-torus or sheet (default: the one that the array \
-      \states)"
+      "Surface of the array: torus, twisted-torus or sheet (default: the one that the array states)"
 
 -- | @--radius N@, with its help; the guaranteed radius without it.
 radiusOption :: String -> Parser Radius

@@ -135,8 +135,7 @@ chosenSensor choice
     misused "--rotation-error must be a number of degrees from 0 to 180"
   | not (inRange 0 60 (tiltSigma choice)) =
     misused
-      "--tilt must be a number of degrees from 0 to \
-      \60"
+      "--tilt must be a number of degrees from 0 to 60"
   | not (all side (concat [[w, h] | Just (w, h) <- [frameSize choice]])) =
     misused "--frame must be from 4x4 to 256x256 taxels"
   | any (< 1) (spacing choice) = misused "--spacing must be a number of taxels, 1 or more"

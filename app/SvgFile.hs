@@ -1,6 +1,7 @@
 -- | Files of pictures.
 module SvgFile
   ( orNotSvg,
+    pictureComplaint,
     standardOutput,
   )
 where
@@ -8,6 +9,7 @@ where
 import Control.Monad (when)
 import Data.Char (toLower)
 import ExitStatus
+import Options (AnswerForm (..))
 import Output
 import System.FilePath (takeExtension)
 import Visible
@@ -43,6 +45,13 @@ orNotSvg file = do
         ".ico",
         ".svgz"
       ]
+
+-- | The complaint if both the picture and the answer as JSON would take the standard output.
+pictureComplaint :: Maybe FilePath -> AnswerForm -> Maybe String
+pictureComplaint picture form
+  | picture == Just standardOutput && form == AsJson =
+    Just "--picture - and --json both take the standard output; name a file for the picture"
+  | otherwise = Nothing
 
 -- | The name of the standard output.
 standardOutput :: FilePath

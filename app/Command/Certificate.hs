@@ -47,15 +47,13 @@ command =
         RankMethod
         ( long "rank"
             <> help
-              "Prove it by the rank of the window's cells, for \
-              \arrays of any size"
+              "Prove it by the rank of the window's cells, for arrays of any size"
         )
         <|> flag'
           EnumerationMethod
           ( long "enumeration"
               <> help
-                "Prove it by visiting all windows, and give the digest of \
-                \the sorted windows"
+                "Prove it by visiting all windows, and give the digest of the sorted windows"
           )
         <|> pure AnyMethod
 

@@ -64,8 +64,7 @@ command =
               <> metavar "LOW,HIGH"
               <> value (0, 1)
               <> help
-                "Values of a flat and of an embossed taxel, as shares of full scale \
-                \(default: 0,1)"
+                "Values of a flat and of an embossed taxel, as shares of full scale (default: 0,1)"
           )
         <*> fullScaleOption
         <*> jsonSwitch "Print a line of JSON for each image"
@@ -73,8 +72,7 @@ command =
                 Nothing
                 ( long "batch"
                     <> help
-                      "Read the paths of images from the standard \
-                      \input, one a line"
+                      "Read the paths of images from the standard input, one a line"
                 )
                 <|> ( Just
                         <$> some

@@ -55,8 +55,7 @@ command =
                   ( pathArgument
                       ( metavar "IN..." <> action "file"
                           <> help
-                            "Images, movies or folders of \
-                            \frames"
+                            "Images, movies or folders of frames"
                       )
                   )
             )

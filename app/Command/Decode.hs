@@ -203,8 +203,7 @@ toleranceComplaint choice
   | not (isShare (foreignPrior given)) = Just "--foreign must be a probability from 0 to below 1"
   | not (all isShare (axesPrior given)) =
     Just
-      "--axes-doubt must be a probability from 0 to below \
-      \1"
+      "--axes-doubt must be a probability from 0 to below 1"
   | not (isShare (slipPrior given)) = Just "--slip must be a probability from 0 to below 1"
   | otherwise = Nothing
   where
@@ -214,8 +213,7 @@ toleranceComplaint choice
 run :: Options -> ArrayChoice -> IO ExitStatus
 run options choice
   | Just complaint <- toleranceComplaint (tolerance options) = misused complaint
-  | picture options == Just standardOutput && form options == AsJson =
-    misused "--picture - and --json both take the standard output; name a file for the picture"
+  | Just complaint <- pictureComplaint (picture options) (form options) = misused complaint
   | form options == AsText && isJust (plane options) =
     misused "--plane changes the pose, which only --json prints; give --json as well"
   | otherwise = do

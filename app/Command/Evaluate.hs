@@ -127,8 +127,7 @@ command =
         <*> switch
           ( long "untold"
               <> help
-                "Do not tell the decoder the position error; the decoder \
-                \estimates it"
+                "Do not tell the decoder the position error; the decoder estimates it"
           )
         <*> toleranceOptions (pure (foreignPrior standardTolerance))
         <*> readerChoice

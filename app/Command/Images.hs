@@ -121,8 +121,7 @@ run :: AlphabetChoice -> Options -> IO ExitStatus
 run choice options
   | count options < 1 || count options > 100000 =
     misused
-      "--count must be a number from 1 to \
-      \100000"
+      "--count must be a number from 1 to 100000"
   | not (noise options >= 0 && noise options <= 100) =
     misused "--image-noise must be a standard deviation from 0 to 100"
   | any (\d -> d < 0 || d > symbolWidth * symbolHeight) (foreignTo options) =

@@ -152,8 +152,7 @@ run :: Maybe Surface -> Options -> ArrayChoice -> IO ExitStatus
 run surface options choice
   | not (doubt options >= 0 && doubt options < 1) =
     misused
-      "--doubt must be a probability from 0 \
-      \to below 1"
+      "--doubt must be a probability from 0 to below 1"
   | any (\p -> not (p >= 0 && p < 1)) (foreignThings options) =
     misused "--foreign must be a probability from 0 to below 1"
   | Just _ <-

@@ -4,7 +4,7 @@ module Command.Nets
   )
 where
 
-import Control.Monad (unless, when)
+import Control.Monad (unless)
 import Counted
 import qualified Data.ByteString.Lazy as Lazy
 import Data.Either (isRight)
@@ -73,8 +73,7 @@ run :: Options -> IO ExitStatus
 run options = do
   formatHeeded (readingFormat (reading options)) [subject options] Nothing
   for_ [file | Just (InFile file) <- [picture options]] $ \file -> do
-    when (file == standardOutput && form options == AsJson) $
-      misused "--picture - and --json both take the standard output; name a file for the picture"
+    for_ (pictureComplaint (Just file) (form options)) misused
     orNotSvg file
     orUnwritable file
   whole <-

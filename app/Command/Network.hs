@@ -33,8 +33,7 @@ command =
           ( pathArgument
               ( metavar "FILE" <> action "file"
                   <> help
-                    "A file of weights (default: the shipped \
-                    \ones)"
+                    "A file of weights (default: the shipped ones)"
               )
           )
         <*> jsonSwitch "Print the weights as JSON"

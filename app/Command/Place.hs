@@ -145,8 +145,7 @@ run options choice = do
   when
     (null names && null (faces options))
     ( misused
-        "no object is named; 'pra-tactile solid \
-        \--help' has the names of solids"
+        "no object is named; 'pra-tactile solid --help' has the names of solids"
     )
   formatHeeded (readingFormat (reading options)) (map sourceOf names) Nothing
   new <- for names (namedSolid (profileShape <$> chosen) between (reading options))

@@ -49,15 +49,13 @@ command =
         PrimitiveOnes
         ( long "primitive"
             <> help
-              "Primitive polynomials: their root has order q^n - 1 (the \
-              \default)"
+              "Primitive polynomials: their root has order q^n - 1 (the default)"
         )
         <|> flag'
           IrreducibleOnes
           ( long "irreducible"
               <> help
-                "Irreducible polynomials: those that are no product of two \
-                \of lower degree"
+                "Irreducible polynomials: those that are no product of two of lower degree"
           )
         <|> pure PrimitiveOnes
 

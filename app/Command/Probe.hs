@@ -234,8 +234,7 @@ calibrating ::
 calibrating choice options simulated count frames
   | count < 1 || count > 10000 =
     misused
-      "--dark and --flat must be numbers of frames from 1 to \
-      \10000"
+      "--dark and --flat must be numbers of frames from 1 to 10000"
   | truthFile options /= Nothing || announced options == Announced =
     misused "calibration frames have no true place; leave out --truth and --tell"
   | otherwise = do

@@ -26,7 +26,7 @@ import PraTactile.Registration.Stitching
 import PraTactile.Sensor.Manifest (Entry (..), Manifest (..))
 import PraTactile.Source (Folder (..), preparedFrames, takingOf)
 import Setup
-import SvgFile (orNotSvg, standardOutput)
+import SvgFile (orNotSvg, pictureComplaint, standardOutput)
 import System.FilePath (takeExtension)
 import Visible (visibleName)
 
@@ -83,9 +83,7 @@ run symbols stitching choice asked folder output report form = do
   when
     (output == Nothing && report == Nothing && form == AsText)
     (misused "there is nothing to do; give --output FILE, --picture FILE.svg or --json")
-  when
-    (report == Just standardOutput && form == AsJson)
-    (misused "--picture - and --json both take the standard output; name a file for the picture")
+  for_ (pictureComplaint report form) misused
   when (asTheyAre stitching) $
     leaveOut "--no-stitching uses the nominal positions" [("--method", asked /= Nothing)]
   heeded (stitchingMethod asAsked) stitching symbols

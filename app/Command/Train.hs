@@ -91,8 +91,7 @@ command =
         <*> optionalFile
           "trace"
           "FILE.csv"
-          "Write every epoch to this file: error, gradient, rate \
-          \and step"
+          "Write every epoch to this file: error, gradient, rate and step"
         <*> flag
           True
           False
@@ -112,8 +111,7 @@ command =
         <*> fileOption
           "output"
           "FILE"
-          "Write the weights to this file, as JSON if its name ends \
-          \in .json"
+          "Write the weights to this file, as JSON if its name ends in .json"
 
 run :: AlphabetChoice -> Options -> IO ExitStatus
 run symbols options = do

@@ -63,23 +63,20 @@ command =
       Make
         <$> folderOption
           "output"
-          "Write the vectors into this folder; files of the same names are \
-          \replaced"
+          "Write the vectors into this folder; files of the same names are replaced"
         <*> optional
           ( choosing
               "operation"
               operations
               "operation"
               "NAME"
-              "Write only the vectors of this \
-              \operation"
+              "Write only the vectors of this operation"
               mempty
           )
         <*> optionalFile
           "profile"
           "FILE"
-          "Use the profile in this file (default: the shipped \
-          \profiles)"
+          "Use the profile in this file (default: the shipped profiles)"
         <*> seedOption (value 1 <> showDefault)
 
 run :: Work -> IO ExitStatus

@@ -9,6 +9,7 @@ module Message.Format
   )
 where
 
+import Counted (numberText)
 import qualified Data.Aeson.Key as Key
 import Data.Aeson.Types (JSONPath, JSONPathElement (..))
 import Data.List (dropWhileEnd)
@@ -62,11 +63,7 @@ placeText place = case place of
 
 -- | The statement of the range of a number with this name.
 rangeText :: String -> (Double, Double) -> String
-rangeText name (least, most) = name ++ " is from " ++ number least ++ " to " ++ number most
-  where
-    number v
-      | v == fromIntegral (round v :: Int) = show (round v :: Int)
-      | otherwise = showFFloat Nothing v ""
+rangeText name (least, most) = name ++ " is from " ++ numberText least ++ " to " ++ numberText most
 
 -- | A positive number to this many significant figures, without trailing zeros.
 --
