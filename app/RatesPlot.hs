@@ -10,13 +10,13 @@ module RatesPlot
   )
 where
 
+import Counted (numberText)
 import qualified Data.ByteString.Lazy as Lazy
 import Data.List (nub)
 import qualified Data.Text as Text
 import Graphics.Svg
 import PraTactile.Format.Rates
 import RatesPlot.Panel
-import RatesTable
 import Text.Printf (printf)
 
 -- | The picture of a table that was made from this seed. What never happened, or less often than

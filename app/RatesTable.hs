@@ -2,13 +2,13 @@
 module RatesTable
   ( heading,
     lineText,
-    numberText,
     checksHeading,
     checksText,
     checksOfAll,
   )
 where
 
+import Counted (numberText)
 import PraTactile.Format.Name (shapeText)
 import PraTactile.Format.Rates
 import PraTactile.Rates
@@ -66,14 +66,6 @@ row = printf "%-6s %6s %6s"
 damageText :: Line -> String
 damageText l =
   row (shapeText (lineSize l)) (numberText (lineErrors l)) (numberText (lineErasures l))
-
--- | Without a fraction where there is none.
-numberText :: Double -> String
-numberText x
-  | x == fromIntegral whole = show whole
-  | otherwise = show x
-  where
-    whole = round x :: Int
 
 -- | Three digits, or two and a power of ten; at most 7 characters.
 short :: Double -> String

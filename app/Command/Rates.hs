@@ -7,6 +7,7 @@ where
 import ArrayChoice
 import Control.Monad (foldM, unless, when)
 import Control.Parallel.Strategies (parBuffer, rseq, withStrategy)
+import Counted (numberText)
 import qualified Data.ByteString.Char8 as Bytes
 import Data.Foldable (for_)
 import Data.Maybe (fromMaybe, isJust)

@@ -25,6 +25,7 @@ module RatesPlot.Panel
   )
 where
 
+import Counted (numberText)
 import Data.List (nub)
 import Data.Maybe (catMaybes, fromMaybe, isJust, isNothing)
 import Data.Text (Text)
@@ -35,7 +36,6 @@ import PraTactile.Array (Shape)
 import PraTactile.Format.Name (shapeText)
 import PraTactile.Format.Rates
 import PraTactile.Rates
-import RatesTable
 
 panelWide, panelHigh :: Double
 panelWide = 200
