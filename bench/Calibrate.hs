@@ -59,7 +59,7 @@ main = do
 type Known = (Maybe (Int, Symmetry), Raster)
 
 -- | A symbol: its estimate, and its truth with features.
-type Told = (Estimate, LabelledFeatures)
+type Told = (ClassEstimate, LabelledFeatures)
 
 -- | The tables of a field: for symbols, for whether they belong to the alphabet, and for other
 -- shapes.

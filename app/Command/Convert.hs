@@ -114,12 +114,12 @@ run options = do
 -- | A frame as a binary PGM file, the number of its taxels without a reading, and the number of its
 -- readings above full scale. Readings are kept exactly if they fit into PGM and full scale is the
 -- file's own.
-asPgm :: Maybe Double -> (Felt, Images) -> IO (ByteString, Int, Int)
+asPgm :: Maybe Double -> (ScaledImage, Images) -> IO (ByteString, Int, Int)
 asPgm full (felt, images) = do
-  pgm <- orUnusable imageMessage (pgmFromIntensity levels (feltImage felt))
+  pgm <- orUnusable imageMessage (pgmFromIntensity levels (scaledImage felt))
   let bytes = encodePgm Binary pgm
-      dead = length (feltDead felt)
-      clipped = feltClipped felt
+      dead = length (scaledDead felt)
+      clipped = scaledClipped felt
   bytes `seq` dead `seq` clipped `seq` pure (bytes, dead, clipped)
   where
     levels = if isNothing full then imagesLevels images else maxBound

@@ -170,7 +170,7 @@ matchText match = case matchRefusal match of
 placeWords :: (Double, Double) -> String
 placeWords (x, y) = printf "%.2f taxels right and %.2f down" x y
 
-refusalWords :: Match -> Refusal -> String
+refusalWords :: Match -> PairRefusal -> String
 refusalWords match refusal = case refusal of
   Blank -> "a frame shows nothing but noise"
   OneAxis -> "only the displacement along " ++ axis ++ " is fixed"

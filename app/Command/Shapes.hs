@@ -189,7 +189,7 @@ checkText name given =
     line (Fault shape kind) =
       Text.pack "fault: " <> shape <> Text.pack ": " <> Text.pack (faultWords kind)
 
-faultWords :: Kind -> String
+faultWords :: ShapeFault -> String
 faultWords kind = case kind of
   Side -> "less than 4 taxels are embossed along a side of its box"
   Stroke -> "it is not of blocks of 2 x 2 taxels, or some meet at a corner only"

@@ -44,7 +44,7 @@ import PraTactile.Sensor.Manifest
     Remedy (..),
     axesName,
     manifestHeader,
-    standardTaking,
+    standardConventions,
   )
 import PraTactile.Shape (ShapeError (..), maxShapes)
 import Text.Printf (printf)
@@ -230,7 +230,7 @@ stitchMessage e = case e of
 contradictionMessage :: Contradiction -> String
 contradictionMessage contradiction = case contradiction of
   AgreeingAlong axes ->
-    contradictionMessage (asTaken standardTaking Nothing (AgreeingAlong axes))
+    contradictionMessage (asTaken standardConventions Nothing (AgreeingAlong axes))
   AgreeingBy others -> overlapping ++ "they agree with " ++ remediesText others
   AgreeingAtScale across down ->
     overlapping ++ "they agree if the positions are multiplied by " ++ scaleText across down

@@ -19,7 +19,7 @@ import PraTactile.Format.Registration (groupsOf, reasonsOf, stitchMethodName)
 import PraTactile.Geometry (taxelPitch)
 import PraTactile.Image (rasterHeight, rasterSize, rasterWidth)
 import PraTactile.Registration
-import PraTactile.Sensor.Frame (Frame (..), Pose (..))
+import PraTactile.Sensor.Frame (Frame (..), SensorPose (..))
 import Text.Printf (printf)
 import Visible (visibleName)
 

@@ -66,7 +66,7 @@ module PraTactile
     -- * Images of touch: "PraTactile.Image", "PraTactile.Sensor.Frame", "PraTactile.Registration"
     Raster,
     Frame (..),
-    Pose (..),
+    SensorPose (..),
     Composite,
     LatticeTables,
     latticeTables,

@@ -360,7 +360,7 @@ someTruth :: Gen Truth
 someTruth =
   Truth
     <$> (Face <$> elements ["cube", "a \"box\"\n"] <*> elements names)
-    <*> ( Region
+    <*> ( ProbedRegion
             <$> offset
             <*> offset
             <*> choose (1, 99)

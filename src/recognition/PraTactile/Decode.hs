@@ -133,7 +133,7 @@ sourceComposite tables size known stitching source = case source of
     stated folder composite =
       composite
         { compositeAxesStated = axesStated known folder,
-          compositeTaking = takingOf known folder
+          compositeConventions = takingOf known folder
         }
 
 -- | The composite of frames, with lengths divided by the symbols' size.

@@ -2,7 +2,7 @@
 -- robot knows their positions only in its own frame (the paper's section III).
 module PraTactile.Explore
   ( -- * Regions
-    Region (..),
+    ProbedRegion (..),
     regionExtent,
     regionCorner,
     regionTurn,
@@ -52,7 +52,7 @@ import System.Random (RandomGen)
 
 -- | A rectangle of a face that the probe covers. For a rotated region, 'regionRight' and
 -- 'regionDown' describe the region turned back about its centre by 'regionAngle'.
-data Region = Region
+data ProbedRegion = ProbedRegion
   { -- | from the face's upper left vertex to the region's upper left corner, in taxels to the right
     regionRight :: !Double,
     -- | from the face's upper left vertex to the region's upper left corner, in taxels down
@@ -69,25 +69,25 @@ data Region = Region
   deriving stock (Eq, Show)
 
 -- | The region's width and height on the face, in taxels.
-regionExtent :: Region -> (Int, Int)
+regionExtent :: ProbedRegion -> (Int, Int)
 regionExtent region
   | exchangesAxes (regionSymmetry region) = (regionHeight region, regionWidth region)
   | otherwise = (regionWidth region, regionHeight region)
 
 -- | The region's upper left corner on the face, in millimetres to the right of and below the face's
 -- upper left vertex.
-regionCorner :: Region -> (Double, Double)
+regionCorner :: ProbedRegion -> (Double, Double)
 regionCorner region = (taxelPitch * regionRight region, taxelPitch * regionDown region)
 
 -- | The face's total rotation in the robot's frame, in degrees clockwise in [0, 360).
-regionTurn :: Region -> Double
+regionTurn :: ProbedRegion -> Double
 regionTurn region = if turn < 0 then turn + 360 else turn
   where
     turn = degreesClockwise (regionSymmetry region) + regionAngle region
 
 -- | The motion from the robot's frame to the face's, in millimetres. The robot's origin is the
 -- region's upper left corner as the robot sees it; the face's origin is its upper left vertex.
-regionMotion :: Region -> Motion
+regionMotion :: ProbedRegion -> Motion
 regionMotion region
   | regionAngle region /= 0 = askew region
   | otherwise =
@@ -104,7 +104,7 @@ regionMotion region
     (wide, high) = regionExtent region
 
 -- | The motion of a rotated region, which takes its centre to its centre.
-askew :: Region -> Motion
+askew :: ProbedRegion -> Motion
 askew region = turn {motionX = faceX - x, motionY = faceY - y}
   where
     turn = Motion (negate (regionTurn region)) 0 0
@@ -128,7 +128,7 @@ regionSizeFor sensor = (max wide (own sensorColumns), max high (own sensorRows))
     own side = ceiling (fromIntegral (side sensor) * sensorTaxel sensor / taxelPitch - 1e-9)
 
 -- | A region in another frame of the face's plane. The motion leads to that frame, in millimetres.
-movedRegion :: Motion -> Region -> Region
+movedRegion :: Motion -> ProbedRegion -> ProbedRegion
 movedRegion motion region = sized {regionRight = x - half wide, regionDown = y - half high}
   where
     (symmetry, angle) = nearestQuarter (regionTurn region - motionRotation motion)
@@ -151,7 +151,7 @@ data Turns
   deriving stock (Eq, Show)
 
 -- | 'drawnRegion' with one of these rotations.
-randomRegion :: RandomGen g => [Symmetry] -> (Int, Int) -> LaidFace -> g -> (Region, g)
+randomRegion :: RandomGen g => [Symmetry] -> (Int, Int) -> LaidFace -> g -> (ProbedRegion, g)
 randomRegion = drawnRegion . AmongTurns
 
 -- | Draws a region at a uniform, real-valued place on a face. Arguments: the possible rotations;
@@ -164,7 +164,7 @@ randomRegion = drawnRegion . AmongTurns
 -- On a face that is not a rectangle, up to 'mostDrawn' regions are drawn, and the first that lies
 -- wholly on the face is taken. If there is none, the one with the most of its corners and centre on
 -- the face is taken.
-drawnRegion :: RandomGen g => Turns -> (Int, Int) -> LaidFace -> g -> (Region, g)
+drawnRegion :: RandomGen g => Turns -> (Int, Int) -> LaidFace -> g -> (ProbedRegion, g)
 drawnRegion turns size face generator
   | fillsBox face = one
   | otherwise = fromMaybe one (find (whollyOn face . fst) found <|> most)
@@ -187,7 +187,7 @@ fillsBox face = length spots == 4 && all atCorner spots
     ends side = let along = map (side . spotMillimetres) spots in [minimum along, maximum along]
 
 -- | Whether a whole region lies on a face.
-whollyOn :: LaidFace -> Region -> Bool
+whollyOn :: LaidFace -> ProbedRegion -> Bool
 whollyOn face region = shareOn face region == 5 && not (any meets (rimPairs corners))
   where
     -- In the robot's frame, the region is upright.
@@ -207,7 +207,7 @@ whollyOn face region = shareOn face region == 5 && not (any meets (rimPairs corn
         let (a, b) = (negate at / step, (end - at) / step) in (max s (min a b), min t (max a b))
 
 -- | How many of a region's four corners and its centre lie on a face.
-shareOn :: LaidFace -> Region -> Int
+shareOn :: LaidFace -> ProbedRegion -> Int
 shareOn face region =
   length (filter (insidePolygon corners . movePoint (regionMotion region)) points)
   where
@@ -224,7 +224,7 @@ insidePolygon corners (x, y) = odd (length (filter right (cyclicPairs corners)))
       (y1 > y) /= (y2 > y) && x < x1 + (y - y1) * (x2 - x1) / (y2 - y1)
 
 -- | Draws a region at a uniform place in a face's bounding box, or around it.
-inBox :: RandomGen g => Turns -> (Int, Int) -> LaidFace -> g -> (Region, g)
+inBox :: RandomGen g => Turns -> (Int, Int) -> LaidFace -> g -> (ProbedRegion, g)
 inBox turns (width, height) face generator =
   ( region
       { regionRight = boxRight + offset u roomRight (overhang wide high),
@@ -236,7 +236,7 @@ inBox turns (width, height) face generator =
     (boxRight, boxDown) =
       let (x, y) = spotMillimetres (laidBox face) in (x / taxelPitch, y / taxelPitch)
     region =
-      Region
+      ProbedRegion
         { regionRight = 0,
           regionDown = 0,
           regionWidth = width,
@@ -289,7 +289,7 @@ defaultSpacing sensor = max 1 (min (sensorColumns sensor) (sensorRows sensor) `d
 -- | Presses a randomly drawn specimen of the sensor on a region, at 'defaultSpacing'. The frames
 -- come row by row. Their poses are nominal, in the robot's frame; their images are taken at the
 -- true poses. Refuses what 'planScanOf' refuses.
-explore :: RandomGen g => Sensor -> HeightMap -> Region -> g -> Either ProbeError ([Frame], g)
+explore :: RandomGen g => Sensor -> HeightMap -> ProbedRegion -> g -> Either ProbeError ([Frame], g)
 explore sensor heights region generator =
   exploreWith sensor (defaultSpacing sensor) specimen heights region generator'
   where
@@ -303,7 +303,7 @@ exploreWith ::
   Int ->
   Specimen ->
   HeightMap ->
-  Region ->
+  ProbedRegion ->
   g ->
   Either ProbeError ([Frame], g)
 exploreWith sensor spacing specimen heights region generator = do

@@ -110,7 +110,7 @@ recogniseSeen tolerance reader composites seen =
     ((composite, found) : _, _) -> do
       agreeing <- traverse (recogniseAsPut tolerance reader . pure) (compositeAgreeing composite)
       let contradiction =
-            asTaken (compositeTaking composite) (agreeing >>= shownMirrored) found
+            asTaken (compositeConventions composite) (agreeing >>= shownMirrored) found
       pure shown {recognisedAnswer = Left (FramesContradict contradiction)}
     ([], Right (Found _)) ->
       pure (doubting tolerance (layoutDoubts reader tolerance composites shown) shown)

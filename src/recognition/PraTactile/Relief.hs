@@ -28,7 +28,7 @@ import Data.Bifunctor (first)
 import Data.Maybe (fromMaybe)
 import qualified Data.Vector as Boxed
 import PraTactile.Array (Position (..), PseudorandomArray, cellAt)
-import PraTactile.Explore (Region (..), insidePolygon, regionMotion)
+import PraTactile.Explore (ProbedRegion (..), insidePolygon, regionMotion)
 import PraTactile.Field (KnownField, fieldOrder)
 import PraTactile.Geometry
   ( columnPitch,
@@ -107,7 +107,7 @@ cellCount whole = (reliefFineness whole * wide, reliefFineness whole * high)
 
 -- | The part of a face's heights that presses of a sensor on a region may feel. O(taxels of the
 -- region and its surroundings).
-heightsUnder :: Sensor -> Region -> Relief -> HeightMap
+heightsUnder :: Sensor -> ProbedRegion -> Relief -> HeightMap
 heightsUnder sensor region whole =
   HeightMap
     (cellSide whole)
@@ -133,7 +133,7 @@ heightsUnder sensor region whole =
         clipped k = max 0 (min size k)
 
 -- | A region of the face, in the coordinates of the height map.
-onRelief :: Relief -> Region -> Region
+onRelief :: Relief -> ProbedRegion -> ProbedRegion
 onRelief whole region =
   region
     { regionRight = regionRight region - x / taxelPitch,

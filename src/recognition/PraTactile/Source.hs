@@ -50,7 +50,7 @@ import PraTactile.Image.File
 import PraTactile.Image.Pgm (maxPixels, pgmFromIntensity)
 import PraTactile.Registration (Composite (..), compositeOf, maxFramePixels, maxImagePixels)
 import PraTactile.Sensor.Calibration (Calibration, CalibrationError, corrected, withoutStuck)
-import PraTactile.Sensor.Frame (Frame (..), Pose (..), isTaxelPitch, scaledFrame, taxelPitch)
+import PraTactile.Sensor.Frame (Frame (..), SensorPose (..), isTaxelPitch, scaledFrame, taxelPitch)
 import PraTactile.Sensor.Manifest
 import PraTactile.Sensor.Resample (atCanonicalPitch, canonicalSize, isCanonical)
 import PraTactile.Symmetry (onPixel)
@@ -132,19 +132,19 @@ folderFrames folder = do
       Frame
         { framePose = pose,
           frameForce = fromMaybe 0 (entryForce entry),
-          frameImage = feltImage felt,
+          frameImage = scaledImage felt,
           frameTaxel = fromMaybe taxelPitch (manifestTaxel manifest <|> imagesSpacing images),
-          frameDead = feltDead felt
+          frameDead = scaledDead felt
         }
 
 -- | The images of all frames of a folder, in the manifest's order, whether or not their positions
 -- are known. Refuses, naming the file, images that are missing or cannot be read, and names that
 -- lead out of the folder.
 folderRasters :: Folder -> Either SourceError [Raster]
-folderRasters = fmap (map (feltImage . fst)) . folderFelt
+folderRasters = fmap (map (scaledImage . fst)) . folderFelt
 
 -- | 'folderRasters' including taxels without a reading, with the decoded file of each frame.
-folderFelt :: Folder -> Either SourceError [(Felt, Images)]
+folderFelt :: Folder -> Either SourceError [(ScaledImage, Images)]
 folderFelt folder = traverse (felt . entryFile) (manifestEntries manifest)
   where
     manifest = folderManifest folder
@@ -215,9 +215,9 @@ preparedFrames known folder = do
           manifestTaxel = preparedTaxel known <|> manifestTaxel manifest
         }
     placed frame =
-      let Pose x y r = framePose frame
+      let SensorPose x y r = framePose frame
           (across, down) = preparedPositionScale known
-       in frame {framePose = Pose (across * x) (down * y) r}
+       in frame {framePose = SensorPose (across * x) (down * y) r}
 
 -- | A frame with 0 for no contact, calibrated, and oriented as seen from outside. Refuses a
 -- calibration of another size.
@@ -237,14 +237,14 @@ prepared known = fmap seen . calibrated . contact
     onTaxel size (i, j) = let (x, y) = onPixel symmetry size (j, i) in (y, x)
 
 -- | The axes, scale and pitch with which a folder's positions and images are interpreted.
-takingOf :: Preparation -> Folder -> Taking
+takingOf :: Preparation -> Folder -> FrameConventions
 takingOf known folder =
-  Taking
-    { takenPositions =
+  FrameConventions
+    { positionAxes =
         fromMaybe straight (preparedAxes known <|> manifestAxes (folderManifest folder)),
-      takenImages = preparedImageAxes known,
-      takenScale = preparedPositionScale known,
-      takenTaxel =
+      imageAxes = preparedImageAxes known,
+      positionScale = preparedPositionScale known,
+      conventionsTaxel =
         fromMaybe taxelPitch (preparedTaxel known <|> manifestTaxel (folderManifest folder))
     }
 
@@ -289,12 +289,12 @@ frameOf :: Maybe Double -> Maybe Int -> ByteString -> Either ImageError (Raster,
 frameOf full number bytes = do
   images <- decodeImages maxImagePixels bytes
   felt <- numberedImage full number images
-  Right (feltImage felt, imagesSpacing images)
+  Right (scaledImage felt, imagesSpacing images)
 
 -- | The number of a source's readings above full scale, and the number of all its readings. A
 -- source that is refused has none.
 clippedReadings :: Preparation -> Source -> (Int, Int)
-clippedReadings known source = (sum (map feltClipped felts), sum (map pixels felts))
+clippedReadings known source = (sum (map scaledClipped felts), sum (map pixels felts))
   where
     felts = case source of
       WholeImage bytes ->
@@ -309,7 +309,7 @@ clippedReadings known source = (sum (map feltClipped felts), sum (map pixels fel
         where
           manifest = folderManifest folder
     full = preparedFullScale known
-    pixels = uncurry (*) . rasterSize . feltImage
+    pixels = uncurry (*) . rasterSize . scaledImage
 
 -- | Replaces the reading of full contact in a folder's manifest, if one is given.
 withFullScale :: Maybe Double -> Folder -> Folder
@@ -339,10 +339,10 @@ preparedImage size known image = do
     (Left (ImageTooLarge (wide, high)))
   pure
     composite
-      { compositeTaking =
-          standardTaking {takenImages = preparedImageAxes known, takenTaxel = pitch}
+      { compositeConventions =
+          standardConventions {imageAxes = preparedImageAxes known, conventionsTaxel = pitch}
       }
   where
-    felt = Frame (Pose 0 0 0) 0 image pitch []
+    felt = Frame (SensorPose 0 0 0) 0 image pitch []
     pitch = fromMaybe (size * taxelPitch) (preparedTaxel known)
     half side = fromIntegral (side - 1) / 2

@@ -27,7 +27,7 @@ import PraTactile.Symmetry (Symmetry, degreesClockwise)
 -- | The place of an exploration.
 data Truth = Truth
   { truthFace :: Face,
-    truthRegion :: Region,
+    truthRegion :: ProbedRegion,
     -- | the region's upper left corner in the robot's coordinates, in millimetres
     truthOrigin :: (Double, Double),
     -- | the cylinder that the face was wrapped on, if any; places are then in arc length

@@ -225,7 +225,7 @@ assumedStitching sensor =
 -- | One exploration with known truth.
 data Trial = Trial
   { trialFace :: LaidFace,
-    trialRegion :: Region,
+    trialRegion :: ProbedRegion,
     trialFrames :: [Frame],
     -- | the cylinder that the face was wrapped on, if any
     trialBend :: Maybe Bend,

@@ -29,7 +29,7 @@ import PraTactile.Object.WingedEdge (FaceName, ObjectName, Solid, sameFace)
 import PraTactile.Relief
 import PraTactile.Relief.Mesh
 import PraTactile.Sensor
-import PraTactile.Sensor.Frame (Frame (..), Pose (..), ProbeError, taxelPitch)
+import PraTactile.Sensor.Frame (Frame (..), ProbeError, SensorPose (..), taxelPitch)
 import PraTactile.Shape (Alphabet)
 import PraTactile.Truth (Truth (..))
 import System.Random (RandomGen, StdGen, mkStdGen, randomR, split)
@@ -38,7 +38,14 @@ import System.Random (RandomGen, StdGen, mkStdGen, randomR, split)
 -- distance between presses, in the sensor's taxels. Poses are nominal, in the robot's frame; images
 -- are taken at the true poses. Refuses a region that the presses do not cover.
 pressRegion ::
-  RandomGen g => Sensor -> Int -> Specimen -> Relief -> Region -> g -> Either ProbeError [Frame]
+  RandomGen g =>
+  Sensor ->
+  Int ->
+  Specimen ->
+  Relief ->
+  ProbedRegion ->
+  g ->
+  Either ProbeError [Frame]
 pressRegion sensor spacing one surface region =
   fmap fst
     . exploreWith
@@ -175,7 +182,7 @@ pressedOn reliefOn how layout object = do
 
 -- | Draws a region, with the requested place and rotation if given. Along each side of the face's
 -- bounding box, the shorter of box and region lies within the longer.
-chosenRegion :: Pressing -> LaidFace -> StdGen -> Either PressError (Region, StdGen)
+chosenRegion :: Pressing -> LaidFace -> StdGen -> Either PressError (ProbedRegion, StdGen)
 chosenRegion how face generator
   | onFace region = Right (region, generator')
   | otherwise = Left (RegionOffFace face (bimap millimetres millimetres (regionExtent region)))

@@ -213,7 +213,7 @@ cellUnder (x, y)
     near f = abs (f - fromIntegral (floor f :: Integer) - 0.5) < 0.3
 
 -- | The cells whose symbols lie wholly in a region of the plate.
-whollyIn :: Region -> [Position]
+whollyIn :: ProbedRegion -> [Position]
 whollyIn region = [Position i j | i <- [0 .. 14], j <- [0 .. 16], all within (box i j)]
   where
     within place =

@@ -4,7 +4,7 @@
 -- segmentation.
 module PraTactile.Composite
   ( Composite (..),
-    PutFrame (..),
+    CompositeFrame (..),
     AlternativeLayout (..),
     LayoutCause (..),
     Contradiction (..),
@@ -33,10 +33,10 @@ import PraTactile.Image.Correlate (Reference, reference, referenceOf)
 import PraTactile.Sensor.Frame (taxelPitch)
 import PraTactile.Sensor.Manifest
   ( Axes,
+    FrameConventions (..),
     Remedy,
-    Taking (..),
     remedies,
-    standardTaking,
+    standardConventions,
   )
 
 -- | An image larger than the sensor, on a grid with the pitch of one taxel and the robot's axes.
@@ -64,7 +64,7 @@ data Composite = Composite
     -- | Whether the robot's axes were given.
     compositeAxesStated :: !Bool,
     -- | How the positions and images of the frames are interpreted.
-    compositeTaking :: !Taking,
+    compositeConventions :: !FrameConventions,
     -- | Alternative layouts of the frames: with one frame elsewhere (most probable first), or with
     -- all frames elsewhere because the robot's positions are wrong.
     compositeAlternatives :: [AlternativeLayout],
@@ -74,7 +74,7 @@ data Composite = Composite
     -- contradiction.
     compositeAgreeing :: Maybe Composite,
     -- | The frames themselves without duplicates; empty for a whole image.
-    compositeFrames :: [PutFrame],
+    compositeFrames :: [CompositeFrame],
     -- | The lattice of cells, if registration found one.
     compositeLattice :: Maybe Lattice
   }
@@ -82,14 +82,14 @@ data Composite = Composite
 
 -- | A frame in its place in a composite: upright, at the canonical pitch, on the common scale of
 -- the frames.
-data PutFrame = PutFrame
+data CompositeFrame = CompositeFrame
   { -- | The centre of its pixel (0, 0) by the robot's position, in millimetres.
-    putAt :: !(Double, Double),
+    compositeFrameAt :: !(Double, Double),
     -- | Its displacement from there, in taxels.
-    putBy :: !(Double, Double),
-    putImage :: Raster,
+    compositeFrameShift :: !(Double, Double),
+    compositeFrameImage :: Raster,
     -- | The share of each pixel that comes from living elements, if some are dead.
-    putFelt :: Maybe Raster
+    compositeFrameWeight :: Maybe Raster
   }
   deriving stock (Eq, Show)
 
@@ -170,13 +170,13 @@ contradictionBy places cause = case cause of
 
 -- | A contradiction expressed as changes of how the frames are interpreted. The arguments are the
 -- present interpretation and whether the agreeing composite is mirrored, if known.
-asTaken :: Taking -> Maybe Bool -> Contradiction -> Contradiction
+asTaken :: FrameConventions -> Maybe Bool -> Contradiction -> Contradiction
 asTaken taking mirroredThen found = case found of
   AgreeingAlong axes -> AgreeingBy (remedies taking axes mirroredThen)
   AgreeingAtScale across down -> AgreeingAtScale (sx * across) (sy * down)
   _ -> found
   where
-    (sx, sy) = takenScale taking
+    (sx, sy) = positionScale taking
 
 -- | A single image, such as one read from a file, as a composite with coverage 1 everywhere and
 -- pixel (0, 0) at the origin.
@@ -191,7 +191,7 @@ compositeOf image =
       compositeUnregisteredError = 0,
       compositeStep = readingStep [image],
       compositeAxesStated = False,
-      compositeTaking = standardTaking,
+      compositeConventions = standardConventions,
       compositeAlternatives = [],
       compositeContradiction = Nothing,
       compositeAgreeing = Nothing,
@@ -249,7 +249,7 @@ blended (left, top) images displacements =
       compositeUnregisteredError = 0,
       compositeStep = readingStep (map (snd . fst) (NonEmpty.toList images)),
       compositeAxesStated = False,
-      compositeTaking = standardTaking,
+      compositeConventions = standardConventions,
       compositeAlternatives = [],
       compositeContradiction = Nothing,
       compositeAgreeing = Nothing,

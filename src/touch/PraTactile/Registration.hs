@@ -4,7 +4,7 @@
 module PraTactile.Registration
   ( -- * Composites
     Composite (..),
-    PutFrame (..),
+    CompositeFrame (..),
     AlternativeLayout (..),
     LayoutCause (..),
     Contradiction (..),
@@ -47,9 +47,9 @@ import PraTactile.Composite
   ( AlternativeLayout (..),
     BlendWeight (..),
     Composite (..),
+    CompositeFrame (..),
     Contradiction (..),
     LayoutCause (..),
-    PutFrame (..),
     blended,
     compositeOf,
     compositePosition,
@@ -82,7 +82,7 @@ import PraTactile.Registration.Settings
     supposedSigma,
     usable,
   )
-import PraTactile.Sensor.Frame (Frame (..), Pose (..), isTaxelPitch)
+import PraTactile.Sensor.Frame (Frame (..), SensorPose (..), isTaxelPitch)
 import PraTactile.Sensor.Manifest (alongAxes)
 import PraTactile.Sensor.Resample (canonicalSize, isCanonical)
 
@@ -182,8 +182,8 @@ assembledAs arranging settings frames = do
 compose :: Arranging -> Registration -> NonEmpty Frame -> Either StitchError Assembly
 compose arranging settings frames = do
   given <- traverse (uncurry uprighted) (NonEmpty.zip (0 :| [1 ..]) frames)
-  let scene = sceneOf given
-  checkArea (fmap (nominal scene) (sceneSeen scene))
+  let scene = placedFrames given
+  checkArea (fmap (nominal scene) (placedDistinct scene))
   (seen, arrangement) <- first TooMuchToRegister (arrangedScene arranging supposed scene)
   let put = putTogether scene seen arrangement
       made = blendedScene settings scene arrangement put
@@ -198,7 +198,7 @@ compose arranging settings frames = do
       }
   where
     uprighted i frame = maybe (Left (frameRotation i frame)) Right (placed frame)
-    frameRotation i frame = let Pose _ _ r = framePose frame in FrameRotation i r
+    frameRotation i frame = let SensorPose _ _ r = framePose frame in FrameRotation i r
     nominal scene p = (placeIn scene p, placedImage p)
     supposed seen
       | all isCanonical frames = settings
@@ -216,7 +216,7 @@ compose arranging settings frames = do
 arrangedScene ::
   Arranging ->
   (NonEmpty Placed -> Registration) ->
-  Scene ->
+  PlacedFrames ->
   Either TooMuch (NonEmpty Placed, Arrangement)
 arrangedScene arranging supposed scene = do
   even' <- traverse arranged (evenedPlaced asRead)
@@ -224,7 +224,7 @@ arrangedScene arranging supposed scene = do
     Just found | arrangementMethod (snd found) == ByLattice -> pure found
     _ -> arranged asRead
   where
-    asRead = sceneSeen scene
+    asRead = placedDistinct scene
     arranged seen =
       (,) seen
         <$> arranging
@@ -245,7 +245,7 @@ data Laid = Laid
   }
 
 -- | Moves the frames of a scene by their displacements, and brings them to one scale.
-putTogether :: Scene -> NonEmpty Placed -> Arrangement -> NonEmpty Laid
+putTogether :: PlacedFrames -> NonEmpty Placed -> Arrangement -> NonEmpty Laid
 putTogether scene seen arrangement = NonEmpty.zipWith put (NonEmpty.zip seen levels) shifts
   where
     levels = fromMaybe (fmap (const unlevelled) seen) (nonEmpty (arrangementLevels arrangement))
@@ -257,9 +257,9 @@ putTogether scene seen arrangement = NonEmpty.zipWith put (NonEmpty.zip seen lev
       Laid p shift (placeIn scene p `plus` shift) (levelled level (placedImage p)) level
 
 -- | The composite of registered frames, with the findings of their registration.
-blendedScene :: Registration -> Scene -> Arrangement -> NonEmpty Laid -> Composite
+blendedScene :: Registration -> PlacedFrames -> Arrangement -> NonEmpty Laid -> Composite
 blendedScene settings scene arrangement put =
-  (blended (sceneCorner scene) (fmap counted put) (ofEachFrame scene shifts))
+  (blended (placedCorner scene) (fmap counted put) (ofEachFrame scene shifts))
     { compositeUnregisteredError =
         if length put == 1 || compared then 0 else supposedSigma settings,
       compositePositionError = arrangementSigma arrangement,
@@ -291,7 +291,11 @@ blendedScene settings scene arrangement put =
     -- Its nominal place and its displacement.
     putFrame one =
       let p = laidFrom one
-       in PutFrame (placedAt p) (laidShift one) (laidImage one) (placedTouch p <|> placedFelt p)
+       in CompositeFrame
+            (placedAt p)
+            (laidShift one)
+            (laidImage one)
+            (placedTouch p <|> placedFelt p)
 
 checkArea :: NonEmpty (Taxels, Raster) -> Either StitchError ()
 checkArea images
@@ -323,7 +327,7 @@ checkFrame one i given
   | not (isTaxelPitch (frameTaxel given)) = Left (FramePitch i (frameTaxel given))
   | otherwise = Right ()
   where
-    Pose x y r = framePose given
+    SensorPose x y r = framePose given
     (w, h) = rasterSize (frameImage given)
     possible side = side >= 4 && side <= 256
     finite v = not (isNaN v || isInfinite v)

@@ -58,7 +58,7 @@ import PraTactile.Image
   )
 import PraTactile.Random (normal, normalPair, normals)
 import PraTactile.Sensor.Bend
-import PraTactile.Sensor.Frame (Frame (..), Motion (..), Pose (..), move, taxelPitch)
+import PraTactile.Sensor.Frame (Frame (..), Motion (..), SensorPose (..), move, taxelPitch)
 import PraTactile.Sensor.Model
 import PraTactile.Sensor.Preset
 import PraTactile.Sensor.Press
@@ -80,13 +80,13 @@ sensorReach sensor =
 
 -- | The noiseless image at a pose in the face's coordinates, at the nominal force and without
 -- tilt, clipped to 0..1.
-forwardImage :: Sensor -> HeightMap -> Pose -> Raster
+forwardImage :: Sensor -> HeightMap -> SensorPose -> Raster
 forwardImage sensor heights pose =
   mapRaster (max 0 . min 1 . reading sensor) (felt sensor heights pose (sensorForce sensor) (0, 0))
 
 -- | The input of each element at a pose, force (N) and tilts (mm at the sensor's edge): newtons if
 -- the model has forces, else shares of full scale.
-felt :: Sensor -> HeightMap -> Pose -> Double -> (Double, Double) -> Raster
+felt :: Sensor -> HeightMap -> SensorPose -> Double -> (Double, Double) -> Raster
 felt sensor heights pose force tilts
   | stiffness > 0 = spread (mapRaster (stiffness *) (displacements stiffness force tilts under))
   | sensorTab sensor > 0 = spread (either (const share) id (zipRaster (*) share (shares height)))
@@ -94,9 +94,9 @@ felt sensor heights pose force tilts
   where
     stiffness = sensorStiffness sensor
     spread = spreadForces (sensorTaxel sensor) (sensorDepth sensor)
-    under = footing (sensorTaxelGrid sensor) (sensorTab sensor) heights pose
-    share = footingShare under
-    height = footingHeight under
+    under = tabSupport (sensorTaxelGrid sensor) (sensorTab sensor) heights pose
+    share = supportShare under
+    height = supportHeight under
     shares = sharesOfScale (sensorFullScale sensor) tilts
 
 -- | The reading, as a share of full scale, for an input given by 'felt'.
@@ -119,8 +119,8 @@ sharesOfScale full tilts heights =
 -- degrees, where the overlap of an aperture and a cell is a product of lengths. For other angles it
 -- is the mean over 8 x 8 points of each aperture; a bent face's fall is always such a mean. Where
 -- there is no surface, the height is 0.
-meanHeights :: Sensor -> HeightMap -> Pose -> Raster
-meanHeights sensor heights (Pose x y r)
+meanHeights :: Sensor -> HeightMap -> SensorPose -> Raster
+meanHeights sensor heights (SensorPose x y r)
   | cell <= 0 = constant columns rows 0
   | otherwise = case turnedByDegrees r of
     -- To a sensor turned clockwise its surroundings appear turned counter-clockwise.
@@ -196,14 +196,14 @@ data Memory = Memory !(Maybe Raster) !Int
 
 -- | One press of a flawless specimen at the true pose, in the face's coordinates, as if it were
 -- the first. Returns the noisy image, clipped to 0..1.
-press :: RandomGen g => Sensor -> HeightMap -> Pose -> g -> (Raster, g)
+press :: RandomGen g => Sensor -> HeightMap -> SensorPose -> g -> (Raster, g)
 press sensor heights pose g = (image, g')
   where
     (image, _, g') = pressed sensor (flawless sensor) heights pose (Memory Nothing 0) g
 
 -- | One press of a specimen at the true pose, with its state before and after.
 pressed ::
-  RandomGen g => Sensor -> Specimen -> HeightMap -> Pose -> Memory -> g -> (Raster, Memory, g)
+  RandomGen g => Sensor -> Specimen -> HeightMap -> SensorPose -> Memory -> g -> (Raster, Memory, g)
 pressed sensor specimen heights pose (Memory before count) g0 =
   (image, Memory (if sensorHysteresis sensor > 0 then Just forces else Nothing) (count + 1), g3)
   where
@@ -248,7 +248,7 @@ drawnNoise sensor image g0
 
 -- | One press at a nominal pose by a randomly drawn specimen: 'scan' with one pose. The motion
 -- converts the robot's coordinates to the face's; the pose is in the robot's.
-probe :: RandomGen g => Sensor -> HeightMap -> Motion -> Pose -> g -> (Frame, g)
+probe :: RandomGen g => Sensor -> HeightMap -> Motion -> SensorPose -> g -> (Frame, g)
 probe sensor heights motion nominal g = (frame, g3)
   where
     (specimen, g') = drawSpecimen sensor g
@@ -264,7 +264,7 @@ probed ::
   HeightMap ->
   Motion ->
   Memory ->
-  Pose ->
+  SensorPose ->
   g ->
   (Frame, Memory, g)
 probed sensor specimen heights motion memory nominal g =
@@ -283,14 +283,14 @@ probed sensor specimen heights motion memory nominal g =
 
 -- | Presses at each nominal pose in turn, by one specimen, which is drawn first. The motion
 -- converts the robot's coordinates to the face's; the poses are in the robot's.
-scan :: RandomGen g => Sensor -> HeightMap -> Motion -> [Pose] -> g -> ([Frame], g)
+scan :: RandomGen g => Sensor -> HeightMap -> Motion -> [SensorPose] -> g -> ([Frame], g)
 scan sensor heights motion poses g = scanWith sensor specimen heights motion poses g'
   where
     (specimen, g') = drawSpecimen sensor g
 
 -- | 'scan' with the given specimen.
 scanWith ::
-  RandomGen g => Sensor -> Specimen -> HeightMap -> Motion -> [Pose] -> g -> ([Frame], g)
+  RandomGen g => Sensor -> Specimen -> HeightMap -> Motion -> [SensorPose] -> g -> ([Frame], g)
 scanWith sensor specimen heights motion = go (Memory Nothing 0)
   where
     go _ [] g = ([], g)
@@ -312,7 +312,7 @@ flatFrames = framesAt 0.5
 -- as if it were the first.
 framesAt :: RandomGen g => Double -> Sensor -> Specimen -> Int -> g -> [Frame]
 framesAt level sensor specimen count g0 =
-  [Frame (Pose 0 0 0) 0 image (sensorTaxel sensor) [] | image <- take count (unfoldr next g0)]
+  [Frame (SensorPose 0 0 0) 0 image (sensorTaxel sensor) [] | image <- take count (unfoldr next g0)]
   where
     levels = constant (sensorColumns sensor) (sensorRows sensor) level
     next g = Just (measured sensor specimen 1 levels g)

@@ -69,7 +69,7 @@ spec = modifyMaxSuccess (const 40) $ do
     frames at =
       [ Frame pose 10 (relief (round x) (round y)) taxelPitch []
         | (x, y) <- at,
-          let pose = Pose (taxelPitch * x) (taxelPitch * y) 0
+          let pose = SensorPose (taxelPitch * x) (taxelPitch * y) 0
       ]
     relief x y =
       generate 16 16 $ \i j ->

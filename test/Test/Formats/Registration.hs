@@ -72,11 +72,11 @@ spec = do
             ]
         )
 
-reasons :: [(Refusal, String)]
+reasons :: [(PairRefusal, String)]
 reasons =
   [(Blank, "blank"), (OneAxis, "one-axis"), (Ambiguous, "ambiguous"), (NoOverlap, "no-overlap")]
 
-match :: Maybe Refusal -> (Bool, Bool) -> Match
+match :: Maybe PairRefusal -> (Bool, Bool) -> Match
 match refusal fixed =
   Match
     { matchRefusal = refusal,

@@ -15,7 +15,7 @@ import qualified Data.Text as Text
 import Numeric.Natural (Natural)
 import PraTactile.Advise
 import PraTactile.Array
-import PraTactile.Explore (Region (..))
+import PraTactile.Explore (ProbedRegion (..))
 import PraTactile.Factorisation (FactorError (..))
 import PraTactile.Format.Advice
 import PraTactile.Format.Error
@@ -172,7 +172,7 @@ names = do
         )
   it "a comparison with the truth agrees, names the differences, or says there is no place" $ do
     let face = Face "cube" (readFaceName "C1 C2 C3 C4")
-        truth = Truth face (Region 10 20 28 36 identity 0) (1.5, -2.5) Nothing
+        truth = Truth face (ProbedRegion 10 20 28 36 identity 0) (1.5, -2.5) Nothing
         claim = Claim face identity (1, 2) (3, 4) Nothing
         encoded answer verdict = decodeStrict (encodeComparison 1 truth answer verdict Nothing)
         expected agree difference answer far =

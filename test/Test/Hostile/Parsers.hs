@@ -34,7 +34,7 @@ import PraTactile.Classification.Network.File
 import PraTactile.Conformance.Library (library)
 import PraTactile.Conformance.Serve (replyOnce)
 import PraTactile.Conformance.Wire.Line (longestLine, readLine)
-import PraTactile.Explore (Region (..), regionCorner)
+import PraTactile.Explore (ProbedRegion (..), regionCorner)
 import PraTactile.Field
 import PraTactile.FileName (isFileName)
 import PraTactile.Format
@@ -44,7 +44,13 @@ import PraTactile.Format.Solid hiding (Written)
 import qualified PraTactile.Format.Solid as Solid
 import PraTactile.Grid (gridRows)
 import PraTactile.Image (constant, rasterSize, rasterValues)
-import PraTactile.Image.File (Felt (..), decodeImages, imagesCount, imagesSize, numberedImage)
+import PraTactile.Image.File
+  ( ScaledImage (..),
+    decodeImages,
+    imagesCount,
+    imagesSize,
+    numberedImage,
+  )
 import PraTactile.Image.Pgm
 import PraTactile.Locate hiding (Outcome (..))
 import PraTactile.Object.Canonical (canonicalPlacement)
@@ -212,8 +218,8 @@ judgedImages :: ByteString -> Judged
 judgedImages = judged imageMessage (decodeImages maxPixels) $ \images ->
   [ ( "its images are shares of full scale",
       and
-        [ rasterSize (feltImage felt) == imagesSize images
-            && Storable.all (\v -> v >= 0 && v <= 1) (rasterValues (feltImage felt))
+        [ rasterSize (scaledImage felt) == imagesSize images
+            && Storable.all (\v -> v >= 0 && v <= 1) (rasterValues (scaledImage felt))
           | i <- [0 .. min 3 (imagesCount images - 1)],
             Right felt <- [numberedImage Nothing (Just i) images]
         ]
@@ -402,7 +408,7 @@ judgedTruth bytes = case decodeTruth bytes of
         && and (zipWith close (corner a) (corner b))
         && abs (regionAngle (truthRegion a) - regionAngle (truthRegion b)) < 1e-9
     whole truth =
-      let Region _ _ wide high turns _ = truthRegion truth
+      let ProbedRegion _ _ wide high turns _ = truthRegion truth
        in (wide, high, turns)
     corner truth = let (x, y) = regionCorner (truthRegion truth) in [x, y]
     close x y = x == y || abs (x - y) <= 1e-12 * abs x

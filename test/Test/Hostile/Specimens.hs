@@ -46,7 +46,7 @@ import PraTactile.Classification.Calibration (standardCalibration)
 import PraTactile.Classification.Network
 import PraTactile.Classification.Network.File
 import PraTactile.Evaluate
-import PraTactile.Explore (Region (..), Turns (..))
+import PraTactile.Explore (ProbedRegion (..), Turns (..))
 import PraTactile.Format
 import PraTactile.Format.Census.Row
 import PraTactile.Format.Evaluation hiding (Contents (..), contentsOf)
@@ -250,7 +250,7 @@ requests = do
 -- | The truth of an exploration of the cube's face.
 truths :: [ByteString]
 truths =
-  [ encodeTruth (Truth face (Region 12 7.5 32 48 (turned 1) angle) (-3.25, 1e2) bend)
+  [ encodeTruth (Truth face (ProbedRegion 12 7.5 32 48 (turned 1) angle) (-3.25, 1e2) bend)
     | (angle, bend) <- [(0, Nothing), (-12.5, Just (Bend 75 AboutX))]
   ]
   where

@@ -164,7 +164,7 @@ askewTruth = do
 someTruth :: Gen Truth
 someTruth =
   Truth (Face (ObjectName "cube") (readFaceName "C1 C2 C3 C4"))
-    <$> ( Region
+    <$> ( ProbedRegion
             <$> choose (0, 30)
             <*> choose (0, 30)
             <*> choose (16, 50)

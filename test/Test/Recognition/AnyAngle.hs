@@ -21,9 +21,9 @@ import PraTactile.Recognise.Recognition (preferred)
 import PraTactile.Registration
   ( AlternativeLayout (..),
     Composite (..),
+    CompositeFrame (..),
     Contradiction (..),
     LayoutCause (..),
-    PutFrame (..),
     compositeOf,
     compositePosition,
   )
@@ -283,7 +283,8 @@ foreignSpec setting = do
           axesDoubt
             [ (latticed classes)
                 { compositeAxesStated = stated,
-                  compositeFrames = replicate 2 (PutFrame (0, 0) (0, 0) (constant 4 4 0) Nothing),
+                  compositeFrames =
+                    replicate 2 (CompositeFrame (0, 0) (0, 0) (constant 4 4 0) Nothing),
                   compositeLattice = inFrames size id classes,
                   compositeAlternatives =
                     [ AlternativeLayout

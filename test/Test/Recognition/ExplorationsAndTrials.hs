@@ -128,7 +128,7 @@ regionSpec = do
     forAll ((,) <$> choose (0, 50) <*> choose (0, 50)) $ \(right', down) ->
       forAll (choose (0, 3)) $ \quarters ->
         forAll (elements [-45, -30, -0.5, 0, 12, 45]) $ \angle ->
-          let region = Region right' down 9 7 (turned quarters) angle
+          let region = ProbedRegion right' down 9 7 (turned quarters) angle
               whole = 90 * fromIntegral quarters + angle
            in near (fst (regionCorner region)) (1.5875 * right')
                 .&&. near (snd (regionCorner region)) (1.5875 * down)
@@ -157,7 +157,7 @@ pressSpec = do
       \(wide, high, spacing) -> forAll ((,) <$> choose (16, 24) <*> choose (16, 24)) $ \size ->
         forAll ((,) <$> elements rotations <*> elements [0, 0, 20]) $ \(symmetry, angle) ->
           let sensor = idealSensor {sensorColumns = wide, sensorRows = high}
-              region = Region 3.25 5.5 (fst size) (snd size) symmetry angle
+              region = ProbedRegion 3.25 5.5 (fst size) (snd size) symmetry angle
               scene =
                 heightMap
                   taxelPitch
@@ -179,7 +179,7 @@ pressSpec = do
   it "a specimen is drawn before it explores" $ do
     let sensor = standardSensor {sensorGainSpread = 0.2, sensorDead = 0.1}
         scene = heightMap taxelPitch (constant 60 60 1)
-        region = Region 3 5 20 24 identity 0
+        region = ProbedRegion 3 5 20 24 identity 0
         (specimen, rest) = drawSpecimen sensor (mkStdGen 5)
     fmap fst (explore sensor scene region (mkStdGen 5))
       `shouldBe` fmap fst (exploreWith sensor 8 specimen scene region rest)
@@ -363,8 +363,8 @@ resultSpec reader faces = do
             standardTolerance
             reader
             standardRegistration
-            (Trial (fst (head' faces)) (Region 0 0 40 52 identity 0) frames' Nothing False)
-        flat = Frame (Pose 0 0 0) 1 (constant 16 16 0) taxelPitch []
+            (Trial (fst (head' faces)) (ProbedRegion 0 0 40 52 identity 0) frames' Nothing False)
+        flat = Frame (SensorPose 0 0 0) 1 (constant 16 16 0) taxelPitch []
         both name = TrialResult (NoAnswer name) (NoAnswer name)
     asked [] `shouldBe` both "not-stitched"
     asked [flat] `shouldBe` both "no-symbols"

@@ -91,7 +91,7 @@ bytesSpec = do
 -- | Frames of 16 x 16 taxels whose images pass through 8 bits unchanged.
 genFrame :: Gen Frame
 genFrame = do
-  pose <- Pose <$> number <*> number <*> elements [0, 90, 180, 270]
+  pose <- SensorPose <$> number <*> number <*> elements [0, 90, 180, 270]
   values <- vectorOf 256 (choose (0, 255 :: Int))
   Frame pose
     <$> number
@@ -110,7 +110,7 @@ folderOf frames = do
   pure (Folder (listing (concat entries)) images)
 
 listed :: [FilePath] -> Manifest
-listed names = listing [Entry name (Just (Pose 0 0 0)) (Just 1) | name <- names]
+listed names = listing [Entry name (Just (SensorPose 0 0 0)) (Just 1) | name <- names]
 
 manifest :: [FilePath] -> Bytes.ByteString
 manifest = renderManifest . manifestEntries . listed
@@ -147,7 +147,7 @@ preparedSpec = do
         === Left (CalibrationRefused (SensorsDiffer (15, 15) (16, 16)))
   it "an element that reads full scale wherever the sensor is counts as dead" $ do
     let stuck k =
-          Frame (Pose (12.7 * fromIntegral k) 0 0) 1 (generate 16 16 (value k)) taxelPitch []
+          Frame (SensorPose (12.7 * fromIntegral k) 0 0) 1 (generate 16 16 (value k)) taxelPitch []
         value :: Int -> Int -> Int -> Double
         value k x y
           | (x, y) == (5, 2) = 1
@@ -204,7 +204,7 @@ diskSpec = do
             folderFrames found `shouldBe` Right frames
   it "images of more than 8 bits keep all grey values of the readings" $
     inFolder $ \folder -> do
-      let frame = Frame (Pose 0 0 0) 1 (generate 16 16 (\x y -> level (x + y))) taxelPitch []
+      let frame = Frame (SensorPose 0 0 0) 1 (generate 16 16 (\x y -> level (x + y))) taxelPitch []
           level k = fromIntegral (135 * k) / 4095
       files <- right (folderFiles Pgm standardTaxelGrid 12 [frame])
       forM_ files $ \(file, bytes) -> Bytes.writeFile (folder </> file) bytes

@@ -13,7 +13,7 @@ import Data.Maybe (mapMaybe)
 import PraTactile.Array (PseudorandomArray, Shape (Shape))
 import PraTactile.Evaluate (PoseError (..), PoseTally (..), poseTally)
 import PraTactile.Explore
-  ( Region (..),
+  ( ProbedRegion (..),
     Turns (..),
     regionCorner,
     regionExtent,
@@ -324,8 +324,8 @@ spec = do
     rotationsOf walk = [take (length walk) (drop k (cycle walk)) | k <- [0 .. length walk - 1]]
     coordinates (Point a b c) = [a, b, c]
     regions =
-      [ Region 3 5 40 52 (Symmetry.turned 1) 0,
-        Region (-2) 7 40 52 (Symmetry.turned 2) (-31)
+      [ ProbedRegion 3 5 40 52 (Symmetry.turned 1) 0,
+        ProbedRegion (-2) 7 40 52 (Symmetry.turned 2) (-31)
       ]
     isRotation lines' =
       farthest

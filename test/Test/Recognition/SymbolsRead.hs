@@ -243,7 +243,7 @@ partSpec known seen reader =
 
 -- | The content of each free cell around a composite's symbols, at the mean place that they give to
 -- its middle.
-partsIn :: Templates -> Double -> FaceGrid -> View -> [((Int, Int), ReadSymbol)]
+partsIn :: Templates -> Double -> FaceGrid -> SymbolView -> [((Int, Int), ReadSymbol)]
 partsIn seen sigma grid view =
   [ (cell, found)
     | cell@(i, j) <- Map.keys (Map.fromList [(c, ()) | c <- free]),

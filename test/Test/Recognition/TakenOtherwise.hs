@@ -15,7 +15,7 @@ import PraTactile.Files (readFolder)
 import PraTactile.Image (Raster, constant, generate, mapRaster, onRaster)
 import PraTactile.Image.Pgm
 import PraTactile.Recognise
-import PraTactile.Sensor.Frame (Pose (..))
+import PraTactile.Sensor.Frame (SensorPose (..))
 import PraTactile.Sensor.Manifest
 import PraTactile.Sensor.Resample (resampled)
 import PraTactile.Source
@@ -45,7 +45,7 @@ axesSpec = do
   it "remedies keep positions and images together, and show what is not mirrored" $
     for_ [(p, i, a, m) | p <- axes, i <- axes, a <- axes, m <- [Nothing, Just False, Just True]] $
       \(positions, images, Axes a, mirroredThen) -> do
-        let given = standardTaking {takenPositions = positions, takenImages = images}
+        let given = standardConventions {positionAxes = positions, imageAxes = images}
             found = remedies given (Axes a) mirroredThen
         found `shouldNotBe` []
         for_ found $ \remedy -> do
@@ -199,7 +199,7 @@ withPositions change folder = folder {folderManifest = manifest {manifestEntries
       [ entry {entryPose = (\pose -> pose {poseX = x, poseY = y}) <$> entryPose entry}
         | (entry, (x, y)) <- zip entries (change (mapMaybe (fmap placeOf . entryPose) entries))
       ]
-    placeOf (Pose x y _) = (x, y)
+    placeOf (SensorPose x y _) = (x, y)
 
 -- | The file of a changed image.
 reencoded :: (Raster -> Raster) -> ByteString -> ByteString

@@ -94,7 +94,7 @@ pressingOf how object =
     pressed how (readerAlphabet reader) array layout (ObjectName object)
 
 -- | The ideal sensor's frame of the true face at a pose in the robot's coordinates.
-feltAt :: Truth -> Either String (Pose -> Raster)
+feltAt :: Truth -> Either String (SensorPose -> Raster)
 feltAt truth = do
   heights <- maybe (Left "no such face") Right (lookup (truthFace truth) felt)
   let (x, y) = truthOrigin truth

@@ -18,7 +18,7 @@ import PraTactile.Image.Error (ImageError)
 import PraTactile.Image.File (ImageFormat (..), fullScales, isFullScale)
 import PraTactile.Sensor.Frame
   ( Frame,
-    Pose (..),
+    SensorPose (..),
     TaxelGrid (..),
     isTaxelPitch,
     standardTaxelGrid,
@@ -89,7 +89,7 @@ entryKeys =
     <*> optionalKey "force_n" real entryForce
   where
     poseKeys =
-      Pose
+      SensorPose
         <$> key "x_mm" real poseX
         <*> key "y_mm" real poseY
         <*> key "rotation_deg" real poseRotation

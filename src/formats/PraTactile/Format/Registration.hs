@@ -76,7 +76,7 @@ pairMethodName method = case method of
   Auto -> "auto"
 
 -- | The name of a reason.
-refusalName :: Refusal -> String
+refusalName :: PairRefusal -> String
 refusalName refusal = case refusal of
   Blank -> "blank"
   OneAxis -> "one-axis"

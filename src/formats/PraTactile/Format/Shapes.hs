@@ -28,8 +28,8 @@ encodeShapes a =
       <> "pairs" .= map pairValue (pairs a)
       <> "faults" .= map faultValue (faults a)
   where
-    pairValue :: Pair -> Value
-    pairValue (Pair i j (Nearest d symmetry (x, y))) =
+    pairValue :: ClassPair -> Value
+    pairValue (ClassPair i j (Nearest d symmetry (x, y))) =
       object
         [ "a" .= mconcat (named i),
           "b" .= mconcat (named j),
@@ -43,7 +43,7 @@ encodeShapes a =
     faultValue (Fault name kind) = object ["shape" .= name, "kind" .= faultName kind]
 
 -- | The stable name of a kind of fault.
-faultName :: Kind -> Text
+faultName :: ShapeFault -> Text
 faultName kind = case kind of
   Side -> "side"
   Stroke -> "stroke"

@@ -64,7 +64,7 @@ truthKeys =
            <*> optionalKey "bend" bendCodec truthBend
        )
 
-regionKeys :: Keys Region Region
+regionKeys :: Keys ProbedRegion ProbedRegion
 regionKeys =
   region
     <$> key "region_mm" (pairOf real) regionCorner
@@ -73,7 +73,7 @@ regionKeys =
     <*> optionalKey "angle_deg" angle freeAngle
   where
     region (x, y) (wide, high) quarters degrees =
-      Region (x / taxelPitch) (y / taxelPitch) wide high (turned quarters) $
+      ProbedRegion (x / taxelPitch) (y / taxelPitch) wide high (turned quarters) $
         maybe 0 (beyond (90 * fromIntegral quarters)) degrees
     -- The angle in the file is the whole rotation, from 0 to 360.
     freeAngle r = if regionAngle r == 0 then Nothing else Just (regionTurn r)

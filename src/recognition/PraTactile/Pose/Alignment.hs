@@ -165,7 +165,8 @@ aligned ground touches begin
     pivot = (sumX / count, sumY / count) :: (Double, Double)
     go n (motion, r, owns) = do
       let parts =
-            [ normalOf ground pivot motion r strongest (meanOf owns) touch own
+            [ normalOf (ownPrior r strongest (meanOf owns) touch) own $
+                pixelsOn ground pivot motion touch own
               | (touch, own) <- zip touches owns
             ]
       solved <- traverse (eliminated (1e-6 * strongest * strongest)) parts
@@ -225,21 +226,51 @@ data Normal = Normal
 
 -- | A pixel: its place relative to the pivot, its rotated place relative to the frame's centre, its
 -- reading, and the relief's height and slopes there along the grid's axes.
-data Felt = Felt
-  { feltX, feltY, feltU, feltW, feltReading, feltHeight, feltAcross, feltDown :: !Double
+data PosePixel = PosePixel
+  { pixelX, pixelY, pixelU, pixelW, pixelReading, pixelHeight, pixelAcross, pixelDown :: !Double
   }
 
-normalOf ::
-  Ground ->
-  (Double, Double) ->
-  Motion ->
-  Double ->
-  Double ->
-  [Double] ->
-  Touch ->
-  Own ->
-  Normal
-normalOf ground (cx, cy) motion r strongest common touch (Own own v) =
+-- | The pixels of a frame that lie on the ground. The arguments are the ground; the pivot; the
+-- motion from the face's frame to the grid; the frame; and its own parameters.
+pixelsOn :: Ground -> (Double, Double) -> Motion -> Touch -> Own -> [PosePixel]
+pixelsOn ground (cx, cy) motion touch (Own own _) =
+  [ PosePixel (x - cx) (y - cy) u w value h (c * a - s * b) (s * a + c * b)
+    | (i, j, value) <- U.toList (touchPixels touch),
+      let (u, w) = around (i, j)
+          (x, y) = (mx + ex + u, my + ey + w)
+          (x', y') = onFace (x, y),
+      Just (h, a, b) <- [heightAt ground (x' + backX, y' + backY)]
+  ]
+  where
+    (ex, ey, turn) = case own of
+      a : b : angle : _ -> (a, b, angle)
+      _ -> (0, 0, 0)
+    (mx, my) = touchMiddle touch
+    Motion turnBack backX backY = Frame.inverse motion
+    (c, s) = cosineSine (motionRotation motion)
+    around = rotated (toDegrees turn)
+    -- Not 'movePoint', which would compute the sine and the cosine for each pixel.
+    onFace = rotated turnBack
+
+-- | The normal prior of a frame's own parameters: their expected values and the inverses of their
+-- variances.
+data OwnPrior = OwnPrior ![Double] ![Double]
+
+-- | The arguments are the standard deviation of an unknown rotation, radians; the greatest reading;
+-- the expected offset and gain; and the frame.
+ownPrior :: Double -> Double -> [Double] -> Touch -> OwnPrior
+ownPrior r strongest common touch =
+  OwnPrior ([0, 0, 0] ++ common) $
+    map
+      (\sd -> 1 / (sd * sd))
+      [max 0.01 sigma, max 0.01 sigma, max 1e-4 (maybe r toRadians turned), level, level]
+  where
+    (sigma, turned) = touchErrors touch
+    level = 0.2 * strongest
+
+-- | The normal equations of a frame at the present values of its own parameters, given its pixels.
+normalOf :: OwnPrior -> Own -> [PosePixel] -> Normal
+normalOf (OwnPrior expected informations) (Own own v) pixels =
   Normal
     { normalRows =
         zipWith (\i -> zipWith (\j x -> x / v + prior i j) [0 ..]) [0 ..] (gram columns),
@@ -251,52 +282,30 @@ normalOf ground (cx, cy) motion r strongest common touch (Own own v) =
       normalPrior = v
     }
   where
-    (ex, ey, turn, offset, gain) = case own of
-      [a, b, angle, low, factor] -> (a, b, angle, low, factor)
-      _ -> (0, 0, 0, 0, 0)
-    (mx, my) = touchMiddle touch
-    Motion turnBack backX backY = Frame.inverse motion
-    (c, s) = cosineSine (motionRotation motion)
-    around = rotated (toDegrees turn)
-    -- Not 'movePoint', which would compute the sine and the cosine for each pixel.
-    onFace = rotated turnBack
-    found =
-      [ Felt (x - cx) (y - cy) u w value h (c * a - s * b) (s * a + c * b)
-        | (i, j, value) <- U.toList (touchPixels touch),
-          let (u, w) = around (i, j)
-              (x, y) = (mx + ex + u, my + ey + w)
-              (x', y') = onFace (x, y),
-          Just (h, a, b) <- [heightAt ground (x' + backX, y' + backY)]
-      ]
-    column :: (Felt -> Double) -> U.Vector Double
-    column part = U.fromList (map part found)
-    across = column (\p -> gain * feltAcross p)
-    down = column (\p -> gain * feltDown p)
-    heights = column feltHeight
+    (offset, gain) = case drop 3 own of
+      [low, factor] -> (low, factor)
+      _ -> (0, 0)
+    column :: (PosePixel -> Double) -> U.Vector Double
+    column part = U.fromList (map part pixels)
+    across = column (\p -> gain * pixelAcross p)
+    down = column (\p -> gain * pixelDown p)
+    heights = column pixelHeight
     columns =
       [ U.map negate across,
         U.map negate down,
-        column (\p -> gain * (feltAcross p * feltY p - feltDown p * feltX p)),
+        column (\p -> gain * (pixelAcross p * pixelY p - pixelDown p * pixelX p)),
         across,
         down,
-        column (\p -> gain * (feltDown p * feltU p - feltAcross p * feltW p)),
+        column (\p -> gain * (pixelDown p * pixelU p - pixelAcross p * pixelW p)),
         U.map (const 1) heights,
         heights
       ]
-    readings = column feltReading
+    readings = column pixelReading
     rests = U.zipWith (\value h -> value - offset - gain * h) readings heights
     slopes' = U.zipWith (\a b -> a * a + b * b) across down
-    -- The prior of the frame's own parameters.
-    (sigma, turned) = touchErrors touch
-    informations =
-      [0, 0, 0]
-        ++ map
-          (\sd -> 1 / (sd * sd))
-          [max 0.01 sigma, max 0.01 sigma, max 1e-4 (maybe r toRadians turned), level, level]
-    level = 0.2 * strongest
-    prior i j = if i == (j :: Int) then informations !! i else 0
-    pull i = if i < 3 then 0 else informations !! i * (expected !! (i - 3) - own !! (i - 3))
-    expected = [0, 0, 0] ++ common
+    -- The motion has no prior.
+    prior i j = if i == (j :: Int) && i >= 3 then informations !! (i - 3) else 0
+    pull i = if i < 3 then 0 else informations !! (i - 3) * (expected !! (i - 3) - own !! (i - 3))
 
 -- | The inner product of two columns.
 product' :: U.Vector Double -> U.Vector Double -> Double

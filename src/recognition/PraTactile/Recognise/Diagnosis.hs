@@ -11,7 +11,7 @@ where
 import qualified Data.Vector.Storable as V
 import PraTactile.Image (rasterHeight, rasterSize, rasterValues, rasterWidth, zipRaster)
 import PraTactile.Registration (Composite (..), compositeOf)
-import PraTactile.Sensor.Manifest (Taking (..))
+import PraTactile.Sensor.Manifest (FrameConventions (..))
 import PraTactile.Sensor.Resample (resampled)
 
 -- | What composites show instead of symbols.
@@ -48,7 +48,7 @@ diagnose readable composites
         | factor <- [2, 1 / 2, 3 / 2, 2 / 3, 3, 1 / 3],
           all (small factor) composites
       ]
-    taxel = maximum (map (takenTaxel . compositeTaking) composites)
+    taxel = maximum (map (conventionsTaxel . compositeConventions) composites)
     small factor composite =
       let (w, h) = rasterSize (compositeImage composite)
        in fromIntegral (w * h) / (factor * factor) < mostPixels

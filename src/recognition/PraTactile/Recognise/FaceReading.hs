@@ -156,7 +156,12 @@ readUpright reader angle composites = do
 
 -- | Puts the symbols along one axis, and parts beside them, on one grid. The last argument is the
 -- known symbols along the other axis.
-onOneGrid :: Reader -> Maybe Double -> [View] -> [ReadSymbol] -> Either Recognition GridReading
+onOneGrid ::
+  Reader ->
+  Maybe Double ->
+  [SymbolView] ->
+  [ReadSymbol] ->
+  Either Recognition GridReading
 onOneGrid reader angle views dissenters
   | null symbols = Left (unanswered everything NoSymbols)
   | all (isNothing . readClass) symbols = Left (unanswered everything SymbolsUnclear)
@@ -177,5 +182,5 @@ unmirroring composites = case map maskedComposite composites of
     | null (compositeFrames composite) -> [remedy {remedyPositions = Nothing} | remedy <- found]
     | otherwise -> found
     where
-      found = remedies (compositeTaking composite) straight (Just True)
+      found = remedies (compositeConventions composite) straight (Just True)
   [] -> []

@@ -29,7 +29,7 @@ import PraTactile.Recognise.Finding
 import PraTactile.Recognise.Reading
 import PraTactile.Recognise.Recognition
 import PraTactile.Recognise.Support
-import PraTactile.Registration (Composite (..), PutFrame (..))
+import PraTactile.Registration (Composite (..), CompositeFrame (..))
 import PraTactile.Relief (classOn, symbolScale)
 import PraTactile.Sensor.Frame (Motion (..), inverse, movePoint)
 import PraTactile.Shape (Alphabet, shapeOf)
@@ -168,12 +168,17 @@ touches :: (Double, Double) -> Double -> Composite -> [Touch]
 touches origin sigma composite = case compositeFrames composite of
   [] -> [touch (compositeOrigin composite) (0, 0) (0, Just 0) image (compositeCoverage composite)]
   frames ->
-    [ touch (putAt f) (putBy f) (sigma, Nothing) (putImage f) (fromMaybe (full f) (putFelt f))
+    [ touch
+        (compositeFrameAt f)
+        (compositeFrameShift f)
+        (sigma, Nothing)
+        (compositeFrameImage f)
+        (fromMaybe (full f) (compositeFrameWeight f))
       | f <- frames
     ]
   where
     image = compositeImage composite
-    full f = let (w, h) = rasterSize (putImage f) in constant w h 1
+    full f = let (w, h) = rasterSize (compositeFrameImage f) in constant w h 1
     touch (x, y) moved errors readings felt =
       Touch
         { touchMiddle = (inTaxels fst x + halfWide, inTaxels snd y + halfHigh),

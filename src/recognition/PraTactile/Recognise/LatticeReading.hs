@@ -131,7 +131,7 @@ cellsOf skew source (own, base) lattice =
               }
 
 -- | A symbol with the orientations and classes of an estimate along an axis.
-estimatedAs :: Symmetry -> Estimate -> ReadSymbol -> ReadSymbol
+estimatedAs :: Symmetry -> ClassEstimate -> ReadSymbol -> ReadSymbol
 estimatedAs axis estimated s =
   s
     { readLikeliest = alongAxis axis (estimateLikeliest estimated),
@@ -205,8 +205,8 @@ numberCells = snd . numbered (< 1) . numbered (>= 1) . (,) 0
 
 -- | The posterior of the symbol in a cell, by the log-likelihood ratios of its classes to an empty
 -- cell. The way up is given. An empty cell may be of any class.
-estimateOf :: Symmetry -> ClassLogs -> Estimate
-estimateOf way logs = Estimate (likeliest, way) chances 0
+estimateOf :: Symmetry -> ClassLogs -> ClassEstimate
+estimateOf way logs = ClassEstimate (likeliest, way) chances 0
   where
     q = Unboxed.length logs
     top = max 0 (Unboxed.maximum logs)

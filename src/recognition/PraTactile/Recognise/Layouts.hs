@@ -38,12 +38,12 @@ import PraTactile.Recognise.Tolerance
 import PraTactile.Registration
   ( AlternativeLayout (..),
     Composite (..),
+    CompositeFrame (..),
     Contradiction,
     LayoutCause (..),
-    PutFrame (..),
   )
 import PraTactile.Segmentation.Lattice (Cell)
-import PraTactile.Sensor.Manifest (standardTaking)
+import PraTactile.Sensor.Manifest (standardConventions)
 import PraTactile.Symmetry
 
 -- | An alternative layout of the composites of one face.
@@ -238,5 +238,5 @@ likelierByFrames tolerance composites =
 named :: [Composite] -> [(LayoutCause, Double)] -> Maybe Contradiction
 named composites weighed = asTaken taking Nothing <$> likeliestCause 1 places weighed
   where
-    places = map putAt (concatMap compositeFrames composites)
-    taking = maybe standardTaking compositeTaking (listToMaybe composites)
+    places = map compositeFrameAt (concatMap compositeFrames composites)
+    taking = maybe standardConventions compositeConventions (listToMaybe composites)

@@ -26,7 +26,7 @@ import PraTactile.Symmetry
 -- | Adds to a grid the parts of symbols that each composite shows in cells around its own symbols.
 -- Returns the larger grid and the parts. Arguments: the reader; the views of the composites; the
 -- number of the first part; the grid.
-withParts :: Reader -> [View] -> Int -> FaceGrid -> (FaceGrid, [ReadSymbol])
+withParts :: Reader -> [SymbolView] -> Int -> FaceGrid -> (FaceGrid, [ReadSymbol])
 withParts reader views from grid =
   ( grid
       { gridCells = fromZero all',
@@ -47,7 +47,7 @@ withParts reader views from grid =
 
 -- | The parts in one composite for which one symbol is more likely than all others together, each
 -- with its cell of the grid.
-partsOf :: Reader -> Cells -> View -> [(Cell, ReadSymbol)]
+partsOf :: Reader -> Cells -> SymbolView -> [(Cell, ReadSymbol)]
 partsOf reader cells view =
   [ (cell, part)
     | (cell, centres) <- Map.toList expected,
@@ -81,7 +81,7 @@ partsOf reader cells view =
 
 -- | A part as a symbol that was read, with the number 0. Arguments: the view; the place of its
 -- centre on the first composite's grid; the part; its estimate.
-readPart :: View -> (Double, Double) -> Part -> Estimate -> ReadSymbol
+readPart :: SymbolView -> (Double, Double) -> Part -> ClassEstimate -> ReadSymbol
 readPart view (x, y) seen estimated =
   ReadSymbol
     { readNumber = 0,

@@ -5,7 +5,7 @@
 module PraTactile.Recognise.Reading
   ( -- * Symbols
     ReadSymbol (..),
-    View (..),
+    SymbolView (..),
     readDoubt,
     readForeignProbability,
     readSymbols,
@@ -89,7 +89,7 @@ readForeignProbability s = odds / (1 + odds)
     odds = 0.005 / 0.995 * exp (readForeignShape s)
 
 -- | A composite with its symbols along one axis.
-data View = View
+data SymbolView = SymbolView
   { -- | the composite's number, from 0
     viewSource :: Int,
     -- | the symbols' axis, up to 180 degrees: 'identity' or @turned 1@
@@ -110,19 +110,19 @@ data View = View
 -- ('identity'), or on their side (@turned 1@). Symbols along the other axis are rejected by their
 -- size. The composites' origins place them relative to each other. Arguments: the reader; the axis;
 -- the number of the first symbol; the composites. Refuses what the network refuses.
-readSymbols :: Reader -> Symmetry -> Int -> [ForeignMasked] -> Either NetworkError [View]
+readSymbols :: Reader -> Symmetry -> Int -> [ForeignMasked] -> Either NetworkError [SymbolView]
 readSymbols reader axis from composites = numbered from <$> traverse view (zip [0 ..] composites)
   where
     view (i, ForeignMasked c byHeight _) = do
       let (upright, found, back) = segmentAlong axis c
       symbols <- traverse (readSymbol reader axis i (shift c)) (segmentedSymbols back)
       let partly = maybe upright (onComposite (invert axis)) byHeight
-      pure (View i axis partly found (segmentedRejects back) (shift c) symbols)
+      pure (SymbolView i axis partly found (segmentedRejects back) (shift c) symbols)
     shift c = case map maskedComposite composites of
       origin : _ -> (apart fst origin c, apart snd origin c)
       [] -> (0, 0)
     apart part origin c = (part (compositeOrigin c) - part (compositeOrigin origin)) / taxelPitch
-    numbered :: Int -> [View] -> [View]
+    numbered :: Int -> [SymbolView] -> [SymbolView]
     numbered n views = case views of
       [] -> []
       v : others ->
@@ -130,7 +130,7 @@ readSymbols reader axis from composites = numbered from <$> traverse view (zip [
         numbered (n + length (viewSymbols v)) others
 
 -- | A place on the first composite's grid, converted to pixels of the view's turned composite.
-onView :: View -> (Double, Double) -> (Double, Double)
+onView :: SymbolView -> (Double, Double) -> (Double, Double)
 onView view (x, y) = onPixel (invert (viewAxis view)) size (x - dx, y - dy)
   where
     (dx, dy) = viewShift view
@@ -180,7 +180,7 @@ alongAxis :: Symmetry -> (Int, Symmetry) -> (Symmetry, Int)
 alongAxis axis (c, symmetry) = (axis <> symmetry, c)
 
 -- | Whether the network knows more than half of the symbols of these views, and at least three.
-mostKnown :: [View] -> Bool
+mostKnown :: [SymbolView] -> Bool
 mostKnown = mostRecognised . concatMap viewSymbols
 
 -- | Whether the network knows more than half of these symbols, and at least three.

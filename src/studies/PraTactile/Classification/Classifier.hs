@@ -1,5 +1,5 @@
 -- | Classifies an image of a symbol by one of several classifiers with a common interface. Each has
--- an output for every class. Verdict and probabilities follow from the outputs in the same way.
+-- an output for every class. Verdicts and probabilities follow from the outputs in the same way.
 module PraTactile.Classification.Classifier
   ( -- * Classifiers
     Method (..),
@@ -11,7 +11,7 @@ module PraTactile.Classification.Classifier
 
     -- * Classifying
     Classification (..),
-    Verdict (..),
+    SymbolOutcome (..),
     verdictName,
     classified,
   )
@@ -84,7 +84,7 @@ logisticClassifier calibration alphabet =
 
 -- | The classification of an image.
 data Classification = Classification
-  { classifiedVerdict :: !Verdict,
+  { classifiedVerdict :: !SymbolOutcome,
     -- | the class and the symbol's orientation, if it is recognised
     classifiedSymbol :: !(Maybe (Int, Symmetry)),
     -- | the probability of each class, in either orientation
@@ -95,7 +95,7 @@ data Classification = Classification
   deriving stock (Eq, Show)
 
 -- | Whether a symbol is recognised.
-data Verdict
+data SymbolOutcome
   = -- | recognised in exactly one of the two orientations
     Recognised
   | -- | in neither orientation: no output is high enough, or another shape is likelier
@@ -105,7 +105,7 @@ data Verdict
   deriving stock (Eq, Ord, Show, Bounded, Enum)
 
 -- | The name of a verdict, which stays stable.
-verdictName :: Verdict -> String
+verdictName :: SymbolOutcome -> String
 verdictName verdict = case verdict of
   Recognised -> "recognised"
   NoSymbol -> "none"
@@ -144,7 +144,7 @@ classified classifier image = do
         )
 
 -- | Combines the verdicts on an image and on the image turned by 180 degrees, in this order.
-combined :: Network.Verdict -> Network.Verdict -> (Verdict, Maybe (Int, Symmetry))
+combined :: Network.Verdict -> Network.Verdict -> (SymbolOutcome, Maybe (Int, Symmetry))
 combined upright upsideDown = case (upright, upsideDown) of
   (Network.Recognised _ _, Network.Recognised _ _) -> (Undecided, Nothing)
   (Network.Recognised c _, _) -> (Recognised, Just (c, identity))

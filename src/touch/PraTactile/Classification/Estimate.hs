@@ -3,7 +3,7 @@
 -- | The most likely symbol in an image, in either of two orientations, with its probability. The
 -- formulas are in "PraTactile.Classification.Calibration".
 module PraTactile.Classification.Estimate
-  ( Estimate (..),
+  ( ClassEstimate (..),
     estimateDoubt,
     estimateChance,
     estimate,
@@ -21,7 +21,7 @@ import PraTactile.Symmetry
 
 -- | What an image most likely shows: a class, upright ('identity') or turned by 180 degrees
 -- (@turned 2@).
-data Estimate = Estimate
+data ClassEstimate = ClassEstimate
   { -- | the most likely class and orientation
     estimateLikeliest :: !(Int, Symmetry),
     -- | the probability of each pair of a class and an orientation, each above 0; they add up to 1
@@ -33,11 +33,11 @@ data Estimate = Estimate
   deriving stock (Eq, Show)
 
 -- | The probability that the most likely class and orientation is wrong.
-estimateDoubt :: Estimate -> Double
+estimateDoubt :: ClassEstimate -> Double
 estimateDoubt e = sum [chance | (what, chance) <- estimateChances e, what /= estimateLikeliest e]
 
 -- | The probability of a class and an orientation; 0 for an unknown class.
-estimateChance :: Estimate -> (Int, Symmetry) -> Double
+estimateChance :: ClassEstimate -> (Int, Symmetry) -> Double
 estimateChance e what = sum [chance | (this, chance) <- estimateChances e, this == what]
 
 -- | The smallest doubt that is ever reported, 10^-7. More than ten million images would be needed
@@ -47,7 +47,7 @@ leastDoubt = 1e-7
 
 -- | The estimate for an 8 x 12 image by a network. Refuses what 'outputs' refuses, and a network
 -- whose number of outputs is not the number of shapes ('WrongOutputCount').
-estimate :: Calibration -> Templates -> Network -> Raster -> Either NetworkError Estimate
+estimate :: Calibration -> Templates -> Network -> Raster -> Either NetworkError ClassEstimate
 estimate calibration shapesSeen n image
   | outputCount n /= templateCount shapesSeen =
     Left (WrongOutputCount (outputCount n) (templateCount shapesSeen))
@@ -58,13 +58,13 @@ estimate calibration shapesSeen n image
 
 -- | The estimate for an 8 x 12 image by any classifier. The last two arguments are the classifier's
 -- outputs, one for each shape: for the image, and for the image turned by 180 degrees.
-estimateFrom :: Calibration -> Templates -> Raster -> [Double] -> [Double] -> Estimate
+estimateFrom :: Calibration -> Templates -> Raster -> [Double] -> [Double] -> ClassEstimate
 estimateFrom calibration shapesSeen image upright upsideDown =
   case [(what, floored p) | (what, p) <- told] of
-    [] -> Estimate (0, identity) [] 0
+    [] -> ClassEstimate (0, identity) [] 0
     all'@(one : others) ->
       let likeliest = fst (foldl' (\a b -> if snd b > snd a then b else a) one others)
-       in Estimate likeliest all' (logOddsOther calibration likeliest seen)
+       in ClassEstimate likeliest all' (logOddsOther calibration likeliest seen)
   where
     seen = symbolFeatures shapesSeen image upright upsideDown
     told = classProbabilities calibration seen

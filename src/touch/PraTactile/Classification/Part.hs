@@ -39,8 +39,9 @@ import PraTactile.Symmetry
 -- above. It compares with the shapes, because the network knows whole symbols only. The number is
 -- the standard deviation (taxels) of the robot's position error along each axis, if the frames were
 -- not registered; otherwise 0. Note [Parts]
-estimatePart :: Templates -> Double -> Part -> Estimate
-estimatePart shapesSeen sigma part = Estimate best [(what, chance l) | (what, l) <- likelihoods] 0
+estimatePart :: Templates -> Double -> Part -> ClassEstimate
+estimatePart shapesSeen sigma part =
+  ClassEstimate best [(what, chance l) | (what, l) <- likelihoods] 0
   where
     -- A flat face and an unknown surface say nothing about the class, so their probability is
     -- shared equally.

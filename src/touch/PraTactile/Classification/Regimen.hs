@@ -33,7 +33,7 @@ data Regimen = Regimen
   { -- | The number of units in the hidden layer.
     hiddenLayerSize :: !Int,
     -- | How many images of each kind a batch has for each class.
-    composition :: [(Kind, Int)],
+    composition :: [(SpecimenKind, Int)],
     -- | The stages in order.
     stages :: [Stage]
   }
@@ -160,7 +160,12 @@ trainingSteps regimen a seed =
 -- | The images of one round, each with its class ('Nothing' for impostors), and the next generator.
 -- Arguments: the number of images of each kind for each class; the standard deviations of the
 -- noise, which the images of each kind and class take in turn; the alphabet; a generator.
-roundImages :: [(Kind, Int)] -> [Double] -> Alphabet -> StdGen -> ([(Raster, Maybe Int)], StdGen)
+roundImages ::
+  [(SpecimenKind, Int)] ->
+  [Double] ->
+  Alphabet ->
+  StdGen ->
+  ([(Raster, Maybe Int)], StdGen)
 roundImages makeup noises a g = (concat labelled, g')
   where
     (g', labelled) =

@@ -4,7 +4,7 @@
 -- blurred, torn by stitching, of varying contrast, and noisy.
 module PraTactile.Classification.Samples
   ( -- * What is seen
-    Scene,
+    SampleSurface,
     symbolScene,
     featureScene,
     sidewaysScene,
@@ -13,7 +13,7 @@ module PraTactile.Classification.Samples
     flatScene,
 
     -- * How it is seen
-    View (..),
+    SampleView (..),
     exactView,
     stitchedView,
     see,
@@ -36,7 +36,7 @@ import System.Random (StdGen)
 
 -- | A surface around the box of a symbol, in cells of one taxel: 0 flat, 1 embossed. Outside the
 -- stored cells the surface is as in the nearest stored cell.
-newtype Scene = Scene Raster
+newtype SampleSurface = SampleSurface Raster
 
 -- | The width of the stored surface on each side of the box, in cells.
 margin :: Int
@@ -44,9 +44,9 @@ margin = 8
 
 -- | The scene that is embossed where the function says so. The function's arguments are column and
 -- row, counted from the box's upper left taxel.
-sceneWhere :: (Int -> Int -> Bool) -> Scene
+sceneWhere :: (Int -> Int -> Bool) -> SampleSurface
 sceneWhere f =
-  Scene
+  SampleSurface
     ( generate
         (symbolWidth + 2 * margin)
         (symbolHeight + 2 * margin)
@@ -54,33 +54,33 @@ sceneWhere f =
     )
 
 -- | A shape alone on a flat face.
-symbolScene :: Bitmap -> Scene
+symbolScene :: Bitmap -> SampleSurface
 symbolScene = sceneWhere . embossedAt
 
 -- | An ordinary feature of an object, such as an edge.
-featureScene :: Feature -> Scene
+featureScene :: Feature -> SampleSurface
 featureScene = sceneWhere . raises
 
 -- | A shape turned by 90 degrees clockwise about the box's centre.
-sidewaysScene :: Bitmap -> Scene
+sidewaysScene :: Bitmap -> SampleSurface
 sidewaysScene b = sceneWhere (\x y -> embossedAt b (y - inset) (symbolHeight - 1 - (x + inset)))
   where
     inset = (symbolHeight - symbolWidth) `div` 2
 
 -- | The left half of one shape and the right half of another.
-besideScene :: Bitmap -> Bitmap -> Scene
+besideScene :: Bitmap -> Bitmap -> SampleSurface
 besideScene a b = sceneWhere (\x y -> embossedAt (if x < symbolWidth `div` 2 then a else b) x y)
 
 -- | The upper half of one shape and the lower half of another.
-overScene :: Bitmap -> Bitmap -> Scene
+overScene :: Bitmap -> Bitmap -> SampleSurface
 overScene a b = sceneWhere (\x y -> embossedAt (if y < symbolHeight `div` 2 then a else b) x y)
 
 -- | A face without anything on it.
-flatScene :: Scene
+flatScene :: SampleSurface
 flatScene = sceneWhere (\_ _ -> False)
 
 -- | How a scene is imaged. Lengths are in taxels.
-data View = View
+data SampleView = SampleView
   { -- | The displacement of the scene, to the right and down.
     viewShift :: !(Double, Double),
     -- | The displacement of the right half against the left half, to the right and down. The halves
@@ -97,16 +97,16 @@ data View = View
   deriving stock (Eq, Show)
 
 -- | The view without displacement, tear or blur, with values 0 and 1.
-exactView :: View
+exactView :: SampleView
 exactView =
-  View {viewShift = (0, 0), viewTear = (0, 0), viewBlur = (0, 0), viewGain = 1, viewBase = 0}
+  SampleView {viewShift = (0, 0), viewTear = (0, 0), viewBlur = (0, 0), viewGain = 1, viewBase = 0}
 
 -- | A random view as stitching and segmentation produce it, and the next generator. All parameters
 -- are uniform: displacements up to the given number of taxels either way, tears up to 0.5 taxels
 -- either way, blurs 0 to 0.4. The value of embossed taxels is 0.85 to 1.1, of flat ones -0.03 to
 -- 0.05.
-stitchedView :: Double -> StdGen -> (View, StdGen)
-stitchedView misplacement g0 = (View (x, y) (u, v) (a, b) gain base, g8)
+stitchedView :: Double -> StdGen -> (SampleView, StdGen)
+stitchedView misplacement g0 = (SampleView (x, y) (u, v) (a, b) gain base, g8)
   where
     (x, g1) = between (-misplacement) misplacement g0
     (y, g2) = between (-misplacement) misplacement g1
@@ -120,8 +120,8 @@ stitchedView misplacement g0 = (View (x, y) (u, v) (a, b) gain base, g8)
 
 -- | The 8 x 12 image of a scene under a view. A displacement by part of a taxel interpolates
 -- linearly between cells, as if each taxel were the mean over its area.
-see :: View -> Scene -> Raster
-see view (Scene cells) = generate symbolWidth symbolHeight $ \x y ->
+see :: SampleView -> SampleSurface -> Raster
+see view (SampleSurface cells) = generate symbolWidth symbolHeight $ \x y ->
   let right = (fromIntegral x + 0.5) / fromIntegral symbolWidth
       at i = fromMaybe 0 (index down i y)
    in viewBase view

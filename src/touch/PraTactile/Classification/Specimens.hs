@@ -1,7 +1,7 @@
 -- | The kinds of images that reach the classifier: upright symbols, and impostors that it must not
 -- take for one.
 module PraTactile.Classification.Specimens
-  ( Kind (..),
+  ( SpecimenKind (..),
     genuine,
     impostors,
     specimen,
@@ -17,7 +17,7 @@ import PraTactile.Shape.Distance (Feature (Full), ordinaryFeatures)
 import System.Random (StdGen)
 
 -- | What an image shows.
-data Kind
+data SpecimenKind
   = -- | A symbol, upright and in place.
     Upright
   | -- | An upright symbol in place, of which a corner at most 3 taxels wide or tall, or a margin
@@ -41,11 +41,11 @@ data Kind
   deriving stock (Eq, Ord, Show, Enum, Bounded)
 
 -- | Whether a kind is an upright symbol in place, so that its class is the right answer.
-genuine :: Kind -> Bool
+genuine :: SpecimenKind -> Bool
 genuine kind = kind == Upright || kind == Curtailed
 
 -- | The kinds for which every class is a wrong answer.
-impostors :: [Kind]
+impostors :: [SpecimenKind]
 impostors = filter (not . genuine) [minBound .. maxBound]
 
 -- | The displacement, in taxels in each direction, up to which a symbol in its 8 x 12 image must
@@ -56,7 +56,7 @@ misplacementBound = 0.7
 -- | The noiseless image of a random specimen of a kind, as stitching and segmentation would leave
 -- it, and the next generator. Arguments: the alphabet; the kind; the shape; a generator. A kind
 -- that needs two shapes takes another one from the alphabet.
-specimen :: Alphabet -> Kind -> Bitmap -> StdGen -> (Raster, StdGen)
+specimen :: Alphabet -> SpecimenKind -> Bitmap -> StdGen -> (Raster, StdGen)
 specimen alphabetOfAll kind shape g = case kind of
   Upright -> (see view (symbolScene shape), g')
   Curtailed -> curtailed 3 (see view (symbolScene shape)) g'

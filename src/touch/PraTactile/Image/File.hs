@@ -20,7 +20,7 @@ module PraTactile.Image.File
     isFullScale,
 
     -- * One image
-    Felt (..),
+    ScaledImage (..),
     numberedImage,
 
     -- * Writing
@@ -106,7 +106,7 @@ isFullScale full = full >= fst fullScales && full <= snd fullScales
 -- | One image of a file. The arguments are the full scale, which overrides the file's, and the
 -- number of the image, from 0. Without a number, refuses ('IsMovie') a file with more images than
 -- one.
-numberedImage :: Maybe Double -> Maybe Int -> Images -> Either ImageError Felt
+numberedImage :: Maybe Double -> Maybe Int -> Images -> Either ImageError ScaledImage
 numberedImage full number images = case number of
   Nothing
     | imagesCount images == 1 -> Right (imageAt full images 0)

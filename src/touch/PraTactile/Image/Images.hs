@@ -7,7 +7,7 @@ module PraTactile.Image.Images
     Number (..),
     numberBytes,
     numberFull,
-    Felt (..),
+    ScaledImage (..),
     imageAt,
   )
 where
@@ -76,24 +76,24 @@ numberFull number = case number of
   F8 -> 1
 
 -- | An image as shares of full scale, 0 to 1.
-data Felt = Felt
-  { feltImage :: !Raster,
+data ScaledImage = ScaledImage
+  { scaledImage :: !Raster,
     -- | Rows and columns (from 0) of taxels without a reading. Each has the mean of its nearest
     -- neighbours instead.
-    feltDead :: ![(Int, Int)],
+    scaledDead :: ![(Int, Int)],
     -- | The number of readings above full scale, which become 1.
-    feltClipped :: Int
+    scaledClipped :: Int
   }
   deriving stock (Eq, Show)
 
 -- | One image as shares of full scale. Arguments: the full scale, if it overrides the file's; the
 -- images; the number of the image, from 0, which must exist.
-imageAt :: Maybe Double -> Images -> Int -> Felt
+imageAt :: Maybe Double -> Images -> Int -> ScaledImage
 imageAt given images i =
-  Felt
-    { feltImage = either (const (constant w h 0)) id (raster w h shares),
-      feltDead = dead,
-      feltClipped = V.length (V.filter (> full) readings)
+  ScaledImage
+    { scaledImage = either (const (constant w h 0)) id (raster w h shares),
+      scaledDead = dead,
+      scaledClipped = V.length (V.filter (> full) readings)
     }
   where
     (w, h) = (imagesColumns images, imagesRows images)

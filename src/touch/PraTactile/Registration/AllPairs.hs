@@ -28,7 +28,7 @@ import PraTactile.Registration.Estimate
 import PraTactile.Registration.Field
 import PraTactile.Registration.Field.Pairs
 import PraTactile.Registration.Model (eighth)
-import PraTactile.Registration.Neighbours (Neighbours (..), neighbours)
+import PraTactile.Registration.Neighbours (OverlappingPair (..), neighbours)
 import PraTactile.Registration.Numbers
   ( leastOverlap,
     mostPairs,
@@ -49,7 +49,7 @@ data Pairwise = Pairwise
     -- | The standard deviation of the robot's position error, taxels; 'Nothing' without pairs.
     pairwiseSigma :: Maybe Double,
     -- | The process of the frames' relief.
-    pairwiseRelief :: Relief
+    pairwiseRelief :: ReliefModel
   }
 
 -- | Registers frames, given the nominal places (taxels) of their upper left pixels.
@@ -77,7 +77,7 @@ registerPairwise settings frames = Pairwise (fst (centred estimates)) sigma reli
     estimated l place = moveBy ((eighth (fst place), eighth (snd place)) `minus` estimateShift l) l
 
 -- | The relief process of frames of one size, given their noise in the settings.
-reliefBy :: Registration -> [Raster] -> Relief
+reliefBy :: Registration -> [Raster] -> ReliefModel
 reliefBy settings images = reliefOf (uncurry spectra size) least images
   where
     size = maximum ((1, 1) : map rasterSize images)
@@ -88,7 +88,7 @@ reliefBy settings images = reliefOf (uncurry spectra size) least images
 
 -- | The pairs to compare: those that share at least 'leastOverlap' of a frame, as diagonal pairs do
 -- at steps of half a frame. Each frame chooses at most 'mostPairs' of its pairs, evenly spread.
-compared :: [(Taxels, Raster)] -> [Neighbours]
+compared :: [(Taxels, Raster)] -> [OverlappingPair]
 compared frames = [pair | (n, pair) <- numbered, n `IntSet.member` chosen]
   where
     numbered = zip [0 ..] [pair | pair <- neighbours frames, neighboursShare pair >= leastOverlap]
@@ -97,7 +97,7 @@ compared frames = [pair | (n, pair) <- numbered, n `IntSet.member` chosen]
       IntMap.fromListWith
         (flip (++))
         [ (k, [n])
-          | (n, Neighbours first second _ _) <- numbered,
+          | (n, OverlappingPair first second _ _) <- numbered,
             k <- [first, second]
         ]
 
@@ -107,14 +107,14 @@ compared frames = [pair | (n, pair) <- numbered, n `IntSet.member` chosen]
 -- > E = sum over pairs of log (delta + (1 - delta) * sum over e of pi(e) exp L(e))
 --
 -- Pairs less than two taxels apart are left out, since they do not depend on the layout.
-pairsEvidence :: Registration -> Relief -> [(Taxels, Raster)] -> Double
+pairsEvidence :: Registration -> ReliefModel -> [(Taxels, Raster)] -> Double
 pairsEvidence settings relief frames = ofEach * sum (map likelier some)
   where
     pairs = [pair | pair <- compared frames, moved (neighboursStep pair)]
     some = spacedOut pairsOfLayout pairs
     ofEach = fromIntegral (length pairs) / fromIntegral (max 1 (length some))
     moved (x, y) = max (abs x) (abs y) >= 2
-    likelier (Neighbours k l step _) =
+    likelier (OverlappingPair k l step _) =
       log (outlier + (1 - outlier) * mean (V.toList (overlapLogs relief (k, l) step grid)))
       where
         grid = displacementsAround step (max 1 (min 9 (2 * sigma)))
@@ -141,8 +141,8 @@ comparedPixels settings frames = sum (map pixels (compared frames))
 leastSquares ::
   Grid ->
   Registration ->
-  Relief ->
-  Moments ->
+  ReliefModel ->
+  ShiftMoments ->
   Boxed.Vector ((Int, Int), Taxels) ->
   [Pair] ->
   [(Taxels, Double)] ->
@@ -180,4 +180,4 @@ leastSquares grid settings relief told nominal pairs start = zip (solved fst) (s
     -- The expectation of 1 / sigma^2, inverse square taxels.
     robot = sum (zipWith weigh (sigmaShares grid (squaresAbout told)) (gridSigmas grid))
     weigh share sigma = share / (sigma * sigma)
-    common = let Moments n x y _ = told in (x / n, y / n)
+    common = let ShiftMoments n x y _ = told in (x / n, y / n)

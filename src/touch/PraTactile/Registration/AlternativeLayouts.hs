@@ -25,7 +25,7 @@ import PraTactile.Registration.Numbers
     refuted,
     scaleFrames,
   )
-import PraTactile.Registration.Overlap (Relief)
+import PraTactile.Registration.Overlap (ReliefModel)
 import PraTactile.Registration.Scale (likelyScales)
 import PraTactile.Registration.Settings (Registration)
 
@@ -73,7 +73,12 @@ alternativesOnLattice settings fits robot touched found =
 
 -- | Alternative layouts that the overlaps of frames do not refute. Without a lattice, what the
 -- frames would show there is unknown.
-alternativesByPairs :: Registration -> Relief -> Taxels -> [(Taxels, Raster)] -> [AlternativeLayout]
+alternativesByPairs ::
+  Registration ->
+  ReliefModel ->
+  Taxels ->
+  [(Taxels, Raster)] ->
+  [AlternativeLayout]
 alternativesByPairs settings relief robot frames =
   [ AlternativeLayout (layoutCause layout) (layoutShare layout) (exp likelier) Nothing
     | layout <- layouts [] (map (const 0) frames) (map (plus robot . fst) frames),

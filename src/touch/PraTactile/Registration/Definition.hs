@@ -5,9 +5,9 @@
 -- frames. The tests compare the fast stages with it.
 module PraTactile.Registration.Definition
   ( -- * One frame
-    Drawings,
+    SymbolReadings,
     drawings,
-    Felt,
+    SymbolMoments,
     Moments,
     drawn,
     standardised,
@@ -19,7 +19,7 @@ module PraTactile.Registration.Definition
     density,
 
     -- * Many frames
-    Seen (..),
+    FrameLikelihoods (..),
     Robot (..),
     commonPhase,
     likely,
@@ -54,12 +54,12 @@ type Moments = (Double, Double, Double)
 
 -- | The moments of each class by orientation, row and column of its place. Places count from the
 -- centre of the frame's upper left taxel.
-type Felt = Map.Map (Int, Int, Int) [Moments]
+type SymbolMoments = Map.Map (Int, Int, Int) [Moments]
 
 -- | The moments of every symbol at every place from which it is felt, with q places per taxel (1 or
 -- 2). Symbols lie along the frame's axes.
-drawn :: Drawings -> Int -> Raster -> Felt
-drawn (Drawings byOrientation) q image =
+drawn :: SymbolReadings -> Int -> Raster -> SymbolMoments
+drawn (SymbolReadings byOrientation) q image =
   Map.fromList
     [ ((o, y, x), [momentsAt shape y x | shape <- shapes'])
       | (o, shapes') <- zip [0 ..] byOrientation,
@@ -86,11 +86,11 @@ drawn (Drawings byOrientation) q image =
 
 -- | By orientation and class: what a taxel reads of a symbol. The taxel's place is in half taxels,
 -- right and down of the symbol's upper left taxel.
-newtype Drawings = Drawings [[Int -> Int -> Double]]
+newtype SymbolReadings = SymbolReadings [[Int -> Int -> Double]]
 
 -- | The drawings of an alphabet's symbols.
-drawings :: Alphabet -> Drawings
-drawings known = Drawings [map drawing upright, map (drawing . halfTurned) upright]
+drawings :: Alphabet -> SymbolReadings
+drawings known = SymbolReadings [map drawing upright, map (drawing . halfTurned) upright]
   where
     upright = shapes known
     drawing shape = \x y ->
@@ -148,7 +148,7 @@ firstTheta image = Theta gain (-0.15 * gain) noise
     gain = sqrt (max 0.02 (1 - noise)) / 0.36
 
 -- | l_k of every class at each place.
-classLogsOf :: Theta -> Felt -> Map.Map (Int, Int, Int) [Double]
+classLogsOf :: Theta -> SymbolMoments -> Map.Map (Int, Int, Int) [Double]
 classLogsOf (Theta a b v) = fmap (map (\(y, s, q) -> (a * y - a * b * s - a * a * q / 2) / v))
 
 -- | l of a cell, classes summed, from l_k.
@@ -174,7 +174,7 @@ density n (Theta _ b v) count phases =
 
 -- | One EM step on a frame of n taxels, over the phases that the predicate accepts; q places per
 -- taxel.
-mStep :: Int -> Double -> ((Int, Int, Int) -> Bool) -> Felt -> Theta -> Theta
+mStep :: Int -> Double -> ((Int, Int, Int) -> Bool) -> SymbolMoments -> Theta -> Theta
 mStep q n counts felt theta@(Theta a b _) = Theta a' b' v'
   where
     classes = classLogsOf theta felt
@@ -200,9 +200,9 @@ mStep q n counts felt theta@(Theta a b _) = Theta a' b' v'
     v' = max 0.002 ((n * (1 + b' * b') - 2 * a' * (y' - b' * s') + a' * a' * q') / n)
 
 -- | A frame's nominal place, in taxels, and its log-likelihoods at half taxels: L and l_k.
-data Seen = Seen
-  { seenPlace :: !(Double, Double),
-    seenPhases :: !(Map.Map (Int, Int, Int) Double),
+data FrameLikelihoods = FrameLikelihoods
+  { framePlace :: !(Double, Double),
+    framePhases :: !(Map.Map (Int, Int, Int) Double),
     seenClasses :: !(Map.Map (Int, Int, Int) [Double])
   }
 
@@ -241,13 +241,13 @@ logPi sigma square = -square / (2 * v) - log (2 * pi * v)
 
 -- | The phase that all frames together make likeliest, in half taxels from the origin of their
 -- places. Sigma takes one value per octave.
-commonPhase :: Robot -> [Seen] -> (Int, Int, Int)
+commonPhase :: Robot -> [FrameLikelihoods] -> (Int, Int, Int)
 commonPhase robot frames =
   maximumBy (comparing (\phase -> logMean [sum (map ($ phase) told) | told <- bySigma])) all'
   where
     all' = [(o, y, x) | o <- [0, 1], y <- [0 .. 39], x <- [0 .. 31]]
     bySigma = [map (ofFrame sigma) frames | sigma <- sigmas 1 robot]
-    ofFrame sigma (Seen place phases _) = \phase ->
+    ofFrame sigma (FrameLikelihoods place phases _) = \phase ->
       log . (\p -> 1e-3 + (1 - 1e-3) * p) . sum $
         [exp (prior + onFrame phases place d phase - top) | (d, prior) <- displacements]
       where
@@ -263,8 +263,12 @@ onFrame phases (px, py) (dx, dy) (o, y, x) =
 -- Each comes with its square and with l_k of the cells that the frame sees. Cells are numbered by
 -- row and column from the phase's first.
 likely ::
-  Double -> Robot -> (Int, Int, Int) -> Seen -> [((Int, Int), Double, Map.Map (Int, Int) [Double])]
-likely margin robot phase@(o, y0, x0) (Seen place@(px, py) phases classes) =
+  Double ->
+  Robot ->
+  (Int, Int, Int) ->
+  FrameLikelihoods ->
+  [((Int, Int), Double, Map.Map (Int, Int) [Double])]
+likely margin robot phase@(o, y0, x0) (FrameLikelihoods place@(px, py) phases classes) =
   [(d, squares Map.! d, cells d) | d <- displacements, score d >= best - margin]
   where
     displacements = [(dx, dy) | dy <- [-reach .. reach], dx <- [-reach .. reach]]

@@ -202,7 +202,7 @@ turnedTo angle l =
     along i j = sqrt (i * i * sx * sx + j * j * sy * sy)
 
 -- | The place of the first of a frame's places, from that of its upper left pixel.
-firstPlace :: Templates -> Taxels -> Taxels
+firstPlace :: LatticeTemplates -> Taxels -> Taxels
 firstPlace tables (x, y) = (x + fromIntegral i, y + fromIntegral j)
   where
     (i, j) = placesFirst (templatePlaces tables)

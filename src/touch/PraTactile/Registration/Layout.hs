@@ -15,7 +15,7 @@ import PraTactile.Composite.Blend (Taxels)
 import PraTactile.Composite.Lattice (cellSteps)
 import PraTactile.Composite.Noise (spacedOut)
 import PraTactile.Registration.Numbers (groupShare, leastGap, mostGroups, mostLines)
-import PraTactile.Sensor.Frame (Pose (..))
+import PraTactile.Sensor.Frame (SensorPose (..))
 import PraTactile.Sensor.Manifest (Axes, alongAxes, axesNamed, straight)
 
 -- | A hypothesis about the places of all frames.
@@ -74,7 +74,7 @@ layouts scales groups places =
 -- | Moves a place, in the robot's coordinates, as a fault of all places would.
 placeUnder :: LayoutCause -> (Double, Double) -> (Double, Double)
 placeUnder cause (x, y) = case cause of
-  OtherAxes axes -> let Pose x' y' _ = alongAxes axes (Pose x y 0) in (x', y')
+  OtherAxes axes -> let SensorPose x' y' _ = alongAxes axes (SensorPose x y 0) in (x', y')
   OtherScale across down -> (across * x, down * y)
   _ -> (x, y)
 

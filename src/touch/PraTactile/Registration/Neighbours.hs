@@ -11,7 +11,7 @@ module PraTactile.Registration.Neighbours
     widest,
 
     -- * Pairs that overlap
-    Neighbours (..),
+    OverlappingPair (..),
     neighbours,
     neighboursAround,
     overlapShare,
@@ -68,7 +68,7 @@ widest images = fromIntegral (maximum (1 : [max (rasterWidth i) (rasterHeight i)
 
 -- | Two frames that overlap: their numbers, the smaller first; the place of the second's upper left
 -- pixel in the first; and the overlap's share of the smaller frame.
-data Neighbours = Neighbours
+data OverlappingPair = OverlappingPair
   { neighboursFirst :: !Int,
     neighboursSecond :: !Int,
     neighboursStep :: !Taxels,
@@ -79,13 +79,13 @@ data Neighbours = Neighbours
 -- | The pairs of frames that overlap, given the places (taxels) of their upper left pixels, each
 -- once. Of more than sixteen frames in one square of a frame's size, sixteen are used. The pairs
 -- are then at most some hundred times the frames.
-neighbours :: [(Taxels, Raster)] -> [Neighbours]
+neighbours :: [(Taxels, Raster)] -> [OverlappingPair]
 neighbours placed = neighboursAround (length placed) placed
 
 -- | The pairs whose first frame is one of at most the given number, evenly spread.
-neighboursAround :: Int -> [(Taxels, Raster)] -> [Neighbours]
+neighboursAround :: Int -> [(Taxels, Raster)] -> [OverlappingPair]
 neighboursAround most placed =
-  [ Neighbours k l step share
+  [ OverlappingPair k l step share
     | (k, (place, a)) <- spacedOut most numbered,
       (l, (place', b)) <- concatMap snd (around 1 thinned (squareAt thinned place)),
       k < l,

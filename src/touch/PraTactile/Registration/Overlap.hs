@@ -4,7 +4,7 @@
 -- | The factor of a pair: the log-likelihood ratio of one relief to two, at each displacement.
 -- Relief is a stationary normal process, the likeliest for all frames.
 module PraTactile.Registration.Overlap
-  ( Relief (..),
+  ( ReliefModel (..),
     reliefOf,
     Displacements (..),
     displacementsAround,
@@ -28,7 +28,7 @@ import PraTactile.Registration.Numbers (keptPatches, mostOfProcess)
 import PraTactile.Registration.Spectrum
 
 -- | The relief process of frames of one size, and weights for their patches.
-data Relief = Relief
+data ReliefModel = ReliefModel
   { reliefProcess :: !Process,
     reliefCosines :: !Cosines,
     -- | Each frame divided by the root of its scale; 0 if the frame has no variation.
@@ -40,9 +40,9 @@ data Relief = Relief
 
 -- | The relief process of frames, all of the tables' size, given the least noise as a share of the
 -- relief's variance.
-reliefOf :: Spectra -> Double -> [Raster] -> Relief
+reliefOf :: Spectra -> Double -> [Raster] -> ReliefModel
 reliefOf tables least frames =
-  Relief
+  ReliefModel
     { reliefProcess = process,
       reliefCosines = spectraCosines tables,
       reliefFrames = Boxed.fromList (zipWith over scales frames),
@@ -60,7 +60,7 @@ reliefOf tables least frames =
     over scale = mapRaster (* (if scale > 0 then 1 / sqrt scale else 0))
 
 -- | The weights for patches of the given width and height.
-weightsOf :: Relief -> (Int, Int) -> PatchWeights
+weightsOf :: ReliefModel -> (Int, Int) -> PatchWeights
 weightsOf relief (w, h) =
   fromMaybe
     (patchWeights (reliefProcess relief) (w, h))
@@ -93,7 +93,7 @@ allOf (Displacements (x0, y0) (columns, rows)) =
 -- displacement in the first. The nominal displacement sets the weight of overlaps.
 --
 -- An overlap of less than two taxels has L = 0. See Note [Weights of overlaps].
-overlapLogs :: Relief -> (Int, Int) -> Taxels -> Displacements -> Vector Double
+overlapLogs :: ReliefModel -> (Int, Int) -> Taxels -> Displacements -> Vector Double
 overlapLogs relief (k, l) (nominalX, nominalY) (Displacements (x0, y0) (columns, rows)) =
   V.generate (columns * rows) at
   where
@@ -126,7 +126,7 @@ overlapLogs relief (k, l) (nominalX, nominalY) (Displacements (x0, y0) (columns,
 -- | How far beyond a whole displacement the second of two frames lies in the first, at most half a
 -- taxel along each axis. It is the least-squares fit of their difference to the slopes of both.
 -- Also its precision along each axis, inverse square taxels.
-between :: Relief -> (Int, Int) -> (Int, Int) -> (Taxels, Taxels)
+between :: ReliefModel -> (Int, Int) -> (Int, Int) -> (Taxels, Taxels)
 between relief (k, l) displacement = case patchesAt a b displacement of
   Just ((w, h), pa, pb)
     | min w h >= 3 ->

@@ -10,7 +10,7 @@ module PraTactile.Registration.Pair
 
     -- * What is answered
     Match (..),
-    Refusal (..),
+    PairRefusal (..),
     Hypothesis (..),
     registerPair,
     PairError (..),
@@ -64,7 +64,7 @@ standardPairing :: Taxels -> Pairing
 standardPairing step = Pairing step 3 Auto 0.99
 
 -- | Why a pair is not registered.
-data Refusal
+data PairRefusal
   = -- | A frame shows nothing but noise.
     Blank
   | -- | One axis is determined, the other is not.
@@ -77,7 +77,7 @@ data Refusal
 
 -- | The answer.
 data Match = Match
-  { matchRefusal :: !(Maybe Refusal),
+  { matchRefusal :: !(Maybe PairRefusal),
     -- | The most probable place of the second frame's upper left pixel in the first, taxels right
     -- and down. It is given even if refused.
     matchBest :: !Hypothesis,
@@ -107,7 +107,7 @@ data PairError
 
 -- | Tables for frames of one size.
 data Tables = Tables
-  { tablesTemplates :: Templates,
+  { tablesTemplates :: LatticeTemplates,
     tablesSpectra :: Spectra
   }
 

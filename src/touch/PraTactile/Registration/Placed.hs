@@ -6,8 +6,8 @@ module PraTactile.Registration.Placed
   ( Placed (..),
     placed,
     evenedPlaced,
-    Scene (..),
-    sceneOf,
+    PlacedFrames (..),
+    placedFrames,
     robotOrigin,
     placeIn,
     ofEachFrame,
@@ -31,7 +31,7 @@ import PraTactile.Image
     rasterWidth,
   )
 import PraTactile.Registration.Contact (evened)
-import PraTactile.Sensor.Frame (Frame (..), Pose (..), taxelPitch)
+import PraTactile.Sensor.Frame (Frame (..), SensorPose (..), taxelPitch)
 import PraTactile.Sensor.Resample (atCanonicalPitch, turnedBack)
 import PraTactile.Symmetry
 
@@ -55,7 +55,7 @@ placed given = do
   let place = (x - half (rasterWidth image), y - half (rasterHeight image))
   pure (Placed place image felt' Nothing)
   where
-    Pose x y r = framePose given
+    SensorPose x y r = framePose given
     seen = uprighted . frameImage . atCanonicalPitch
     uprighted = maybe (turnedBack r) (\symmetry -> Just . onRaster symmetry) (turnedByDegrees r)
     felt dead = given {frameImage = generate wide high (share (Set.fromList (toList dead)))}
@@ -72,20 +72,21 @@ evenedPlaced frames = do
     even' p (image, touch) = p {placedImage = image, placedTouch = Just touch}
 
 -- | Frames of one face.
-data Scene = Scene
+data PlacedFrames = PlacedFrames
   { -- | The least x and y of the frames' upper left pixels, millimetres: the origin of places,
     -- which are in taxels.
-    sceneCorner :: !Taxels,
+    placedCorner :: !Taxels,
     -- | The frames without duplicates, row by row from the top. The order of frames carries no
     -- information, and a duplicate is no second witness.
-    sceneSeen :: NonEmpty Placed,
-    -- | For each given frame its index in 'sceneSeen'.
-    sceneGiven :: [Int]
+    placedDistinct :: NonEmpty Placed,
+    -- | For each given frame its index in 'placedDistinct'.
+    placedGiven :: [Int]
   }
 
 -- | Makes the scene of frames in any order.
-sceneOf :: NonEmpty Placed -> Scene
-sceneOf given = Scene corner (fmap (\((_, one) :| _) -> one) groups) (IntMap.elems numbers)
+placedFrames :: NonEmpty Placed -> PlacedFrames
+placedFrames given =
+  PlacedFrames corner (fmap (\((_, one) :| _) -> one) groups) (IntMap.elems numbers)
   where
     corner = (minimum (fmap (fst . placedAt) given), minimum (fmap (snd . placedAt) given))
     groups = NonEmpty.groupAllWith1 (key . snd) (NonEmpty.zip (0 :| [1 ..]) given)
@@ -97,19 +98,19 @@ sceneOf given = Scene corner (fmap (\((_, one) :| _) -> one) groups) (IntMap.ele
 
 -- | The origin of a scene's places in the robot's coordinates, taxels. The robot's axes and scale
 -- refer to these coordinates.
-robotOrigin :: Scene -> Taxels
-robotOrigin scene = let (left, top) = sceneCorner scene in (inTaxels left, inTaxels top)
+robotOrigin :: PlacedFrames -> Taxels
+robotOrigin scene = let (left, top) = placedCorner scene in (inTaxels left, inTaxels top)
 
 -- | The nominal place of a frame's upper left pixel, taxels.
-placeIn :: Scene -> Placed -> Taxels
-placeIn = fromCorner . sceneCorner
+placeIn :: PlacedFrames -> Placed -> Taxels
+placeIn = fromCorner . placedCorner
 
 fromCorner :: Taxels -> Placed -> Taxels
 fromCorner (left, top) p = let (x, y) = placedAt p in (inTaxels (x - left), inTaxels (y - top))
 
--- | Expands values of the frames in 'sceneSeen' to all given frames, in their order.
-ofEachFrame :: Scene -> [b] -> [b]
-ofEachFrame scene known = [one | n <- sceneGiven scene, Just one <- [IntMap.lookup n numbered]]
+-- | Expands values of the frames in 'placedDistinct' to all given frames, in their order.
+ofEachFrame :: PlacedFrames -> [b] -> [b]
+ofEachFrame scene known = [one | n <- placedGiven scene, Just one <- [IntMap.lookup n numbered]]
   where
     numbered = IntMap.fromList (zip [0 ..] known)
 

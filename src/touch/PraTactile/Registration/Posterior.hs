@@ -3,7 +3,7 @@
 
 -- | The posterior of a displacement on a grid, and estimates from it.
 module PraTactile.Registration.Posterior
-  ( Posterior (..),
+  ( GridPosterior (..),
     posterior,
     Hypothesis (..),
     hypotheses,
@@ -23,7 +23,7 @@ import PraTactile.Registration.Model (normalLog)
 import PraTactile.Registration.Numbers (tolerance)
 
 -- | Probabilities of displacements on a grid.
-data Posterior = Posterior
+data GridPosterior = GridPosterior
   { -- | The first displacement, taxels.
     posteriorOrigin :: !Taxels,
     -- | The spacing of the grid, taxels.
@@ -36,8 +36,8 @@ data Posterior = Posterior
   deriving stock (Eq, Show)
 
 -- | Normalises log weights to a posterior. If none is finite, it is uniform.
-posterior :: Taxels -> Double -> (Int, Int) -> Vector Double -> Posterior
-posterior origin spacing size logs = Posterior origin spacing size (V.map (/ total) masses)
+posterior :: Taxels -> Double -> (Int, Int) -> Vector Double -> GridPosterior
+posterior origin spacing size logs = GridPosterior origin spacing size (V.map (/ total) masses)
   where
     top = V.foldl' max (-1 / 0) (V.filter (not . isNaN) logs)
     masses
@@ -55,7 +55,7 @@ data Hypothesis = Hypothesis
 
 -- | At most the given number of the most probable displacements, the best first, each of at least
 -- the given probability. No two share a grid point. There is always one.
-hypotheses :: Int -> Double -> Posterior -> [Hypothesis]
+hypotheses :: Int -> Double -> GridPosterior -> [Hypothesis]
 hypotheses most least given = case go most (posteriorMasses given) of
   [] -> [fst (bestOf given)]
   found -> found
@@ -69,8 +69,8 @@ hypotheses most least given = case go most (posteriorMasses given) of
         (best, inside) = bestOf given {posteriorMasses = masses}
 
 -- | The probability that the true displacement lies within 'tolerance' of one on both axes.
-probabilityAround :: Posterior -> Taxels -> Double
-probabilityAround (Posterior (ox, oy) spacing (columns, _) masses) (x, y) =
+probabilityAround :: GridPosterior -> Taxels -> Double
+probabilityAround (GridPosterior (ox, oy) spacing (columns, _) masses) (x, y) =
   min 1 (V.sum (V.ifilter (const . around) masses))
   where
     around i =
@@ -83,8 +83,8 @@ probabilityAround (Posterior (ox, oy) spacing (columns, _) masses) (x, y) =
 -- there. It takes the window of points that holds most. There it takes the mean, clamped to within
 -- 'tolerance' of the outermost points that matter: those of all but a thousandth of the
 -- probability.
-bestOf :: Posterior -> (Hypothesis, Int -> Bool)
-bestOf (Posterior (ox, oy) spacing (columns, rows) masses) =
+bestOf :: GridPosterior -> (Hypothesis, Int -> Bool)
+bestOf (GridPosterior (ox, oy) spacing (columns, rows) masses) =
   (Hypothesis (ox + spacing * bestX, oy + spacing * bestY) (max 0 (min 1 held)), inside)
   where
     sums = integralOf columns rows masses
@@ -133,8 +133,8 @@ integralOf columns rows masses =
       zipWith (+) above (scanl (+) 0 (V.toList (V.slice (y * columns) columns masses)))
 
 -- | The standard deviations along x and y, taxels, including that of a grid cell.
-deviations :: Posterior -> Taxels
-deviations (Posterior _ spacing (columns, _) masses) = (along snd, along fst)
+deviations :: GridPosterior -> Taxels
+deviations (GridPosterior _ spacing (columns, _) masses) = (along snd, along fst)
   where
     cell = spacing * spacing / 12
     along coordinate = sqrt (max 0 (second - first * first) * spacing * spacing + cell)
@@ -148,8 +148,8 @@ deviations (Posterior _ spacing (columns, _) masses) = (along snd, along fst)
             masses
 
 -- | The probability of the best window along x, and along y, each by itself.
-marginals :: Posterior -> (Double, Double)
-marginals (Posterior _ spacing (columns, rows) masses) = (best columns across, best rows down)
+marginals :: GridPosterior -> (Double, Double)
+marginals (GridPosterior _ spacing (columns, rows) masses) = (best columns across, best rows down)
   where
     across = V.generate columns (\x -> sum [masses V.! (y * columns + x) | y <- [0 .. rows - 1]])
     down = V.generate rows (\y -> V.sum (V.slice (y * columns) columns masses))
@@ -167,8 +167,8 @@ priorAround search (x, y)
 
 -- | The prior on the grid of a posterior: 'priorAround' the nominal displacement, for a search in
 -- taxels.
-priorAlone :: Double -> Taxels -> Posterior -> Posterior
-priorAlone search (stepX, stepY) (Posterior origin@(ox, oy) spacing size@(columns, rows) _) =
+priorAlone :: Double -> Taxels -> GridPosterior -> GridPosterior
+priorAlone search (stepX, stepY) (GridPosterior origin@(ox, oy) spacing size@(columns, rows) _) =
   posterior origin spacing size $
     V.generate (columns * rows) $ \i ->
       let (row, column) = i `quotRem` columns

@@ -16,7 +16,7 @@ import qualified Data.Set as Set
 import qualified Data.Vector.Storable as V
 import PraTactile.Image (Raster, generate, rasterSize, rasterValues)
 import PraTactile.Sensor.Dead (filled)
-import PraTactile.Sensor.Frame (Frame (..), Pose (..))
+import PraTactile.Sensor.Frame (Frame (..), SensorPose (..))
 
 -- | The correction of a sensor's readings. Both rasters have the sensor's size.
 data Calibration = Calibration

@@ -11,7 +11,7 @@ module PraTactile.Sensor.Frame
     isTaxelPitch,
 
     -- * Frames
-    Pose (..),
+    SensorPose (..),
     Frame (..),
     scaledFrame,
 
@@ -45,7 +45,7 @@ isTaxelPitch taxel = taxel >= fst taxelPitches && taxel <= snd taxelPitches
 
 -- | The sensor's pose in some coordinates: its centre in millimetres and its rotation in degrees
 -- clockwise.
-data Pose = Pose
+data SensorPose = SensorPose
   { poseX :: !Double,
     poseY :: !Double,
     poseRotation :: !Double
@@ -57,7 +57,7 @@ data Pose = Pose
 -- image, of any size; the distance of neighbouring taxels in millimetres; and the row and column
 -- (from 0) of each dead element, whose pixel holds a replacement value.
 data Frame = Frame
-  { framePose :: !Pose,
+  { framePose :: !SensorPose,
     frameForce :: !Double,
     frameImage :: !Raster,
     frameTaxel :: !Double,
@@ -90,8 +90,8 @@ stay :: Motion
 stay = Motion 0 0 0
 
 -- | A pose moved by a motion. Its rotation is reduced to [0, 360).
-move :: Motion -> Pose -> Pose
-move motion (Pose x y r) = Pose x' y' (turned (r + motionRotation motion))
+move :: Motion -> SensorPose -> SensorPose
+move motion (SensorPose x y r) = SensorPose x' y' (turned (r + motionRotation motion))
   where
     (x', y') = movePoint motion (x, y)
 
@@ -160,7 +160,7 @@ standardTaxelGrid = TaxelGrid sensorSide sensorSide taxelPitch
 --
 -- >>> length <$> planScan 8 (0, 0) (40, 52)
 -- Right 24
-planScan :: Int -> (Double, Double) -> (Int, Int) -> Either ProbeError [Pose]
+planScan :: Int -> (Double, Double) -> (Int, Int) -> Either ProbeError [SensorPose]
 planScan = planScanOf standardTaxelGrid
 
 -- | The poses (rotation 0) of presses that cover a region exactly, row by row from the upper left.
@@ -168,14 +168,14 @@ planScan = planScanOf standardTaxelGrid
 -- the spacing of presses in the sensor's own taxels; the region's upper left corner in millimetres;
 -- and its width and height in taxels of 'taxelPitch'. Refuses a spacing below 1, a region smaller
 -- than the sensor, and more than 'maxPresses' presses.
-planScanOf :: TaxelGrid -> Int -> (Double, Double) -> (Int, Int) -> Either ProbeError [Pose]
+planScanOf :: TaxelGrid -> Int -> (Double, Double) -> (Int, Int) -> Either ProbeError [SensorPose]
 planScanOf grid spacing (left, top) (width, height)
   | spacing < 1 = Left (SpacingTooSmall spacing)
   | wide < across || high < down = Left tooSmall
   | presses wide across * presses high down > maxPresses = Left (RegionTooLarge width height)
   | otherwise =
     Right
-      [ Pose (centre left across x) (centre top down y) 0
+      [ SensorPose (centre left across x) (centre top down y) 0
         | y <- offsets high down,
           x <- offsets wide across
       ]

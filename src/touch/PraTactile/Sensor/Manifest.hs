@@ -20,8 +20,8 @@ module PraTactile.Sensor.Manifest
     alongAxes,
 
     -- * Interpretation of positions and images
-    Taking (..),
-    standardTaking,
+    FrameConventions (..),
+    standardConventions,
     Remedy (..),
     remedies,
 
@@ -62,7 +62,7 @@ import qualified Data.Vector as V
 import PraTactile.Decimal (readDouble)
 import PraTactile.FileName (isFileName)
 import PraTactile.PlainText (OtherEncoding, plainText)
-import PraTactile.Sensor.Frame (Pose (..), taxelPitch)
+import PraTactile.Sensor.Frame (SensorPose (..), taxelPitch)
 import PraTactile.Symmetry
 
 -- | One line of a manifest: the frame's file, relative to the manifest's folder, or @FILE#3@ for
@@ -70,7 +70,7 @@ import PraTactile.Symmetry
 -- lack; and its force, which is optional and unused.
 data Entry = Entry
   { entryFile :: !FilePath,
-    entryPose :: !(Maybe Pose),
+    entryPose :: !(Maybe SensorPose),
     entryForce :: !(Maybe Double)
   }
   deriving stock (Eq, Show)
@@ -141,28 +141,28 @@ axesName axes = coordinate (1, 0) ++ "," ++ coordinate (0, 1)
 
 -- | Converts a pose whose coordinates are along the given axes to right and down.
 --
--- >>> alongAxes <$> lookup "x,-y" axesNamed <*> pure (Pose 1 2 0)
--- Just (Pose {poseX = 1.0, poseY = -2.0, poseRotation = 0.0})
-alongAxes :: Axes -> Pose -> Pose
-alongAxes axes (Pose first second r) = Pose x y r
+-- >>> alongAxes <$> lookup "x,-y" axesNamed <*> pure (SensorPose 1 2 0)
+-- Just (SensorPose {poseX = 1.0, poseY = -2.0, poseRotation = 0.0})
+alongAxes :: Axes -> SensorPose -> SensorPose
+alongAxes axes (SensorPose first second r) = SensorPose x y r
   where
     (x, y) = onOffset (axesSymmetry axes) (first, second)
 
 -- | How positions and images are interpreted: the axes of the positions, the axes of the images,
 -- and the factors of the positions across and down.
-data Taking = Taking
-  { takenPositions :: !Axes,
-    takenImages :: !Axes,
-    takenScale :: !(Double, Double),
+data FrameConventions = FrameConventions
+  { positionAxes :: !Axes,
+    imageAxes :: !Axes,
+    positionScale :: !(Double, Double),
     -- | the distance of neighbouring taxels, millimetres
-    takenTaxel :: !Double
+    conventionsTaxel :: !Double
   }
   deriving stock (Eq, Show)
 
 -- | The standard interpretation: positions in millimetres and images seen from outside the face, x
 -- to the right and y down.
-standardTaking :: Taking
-standardTaking = Taking straight straight (1, 1) taxelPitch
+standardConventions :: FrameConventions
+standardConventions = FrameConventions straight straight (1, 1) taxelPitch
 
 -- | A change of the interpretation; 'Nothing' where it stays as it is.
 data Remedy = Remedy
@@ -177,8 +177,8 @@ data Remedy = Remedy
 --
 -- Frames agree if A is applied to the positions, or the inverse of A to the images. Any symmetry
 -- applied to both keeps them agreeing. A mirrored result needs a mirroring symmetry on both.
-remedies :: Taking -> Axes -> Maybe Bool -> [Remedy]
-remedies (Taking (Axes positions) (Axes images) _ _) (Axes a) mirroredThen =
+remedies :: FrameConventions -> Axes -> Maybe Bool -> [Remedy]
+remedies (FrameConventions (Axes positions) (Axes images) _ _) (Axes a) mirroredThen =
   map remedy $ case mirroredThen of
     Just True
       | mirrored a -> [ofImages]
@@ -317,7 +317,7 @@ entry separator columns i line = do
   y <- traverse (number Y) (field Y)
   rotation <- traverse (number Rotation) (field Rotation)
   force <- traverse (number Force) (mfilter (not . C.all isSpace) (field Force))
-  pure (Entry (T.unpack name) (Pose <$> x <*> y <*> Just (fromMaybe 0 rotation)) force)
+  pure (Entry (T.unpack name) (SensorPose <$> x <*> y <*> Just (fromMaybe 0 rotation)) force)
   where
     number column text =
       either
@@ -344,5 +344,9 @@ renderManifest entries =
     fields one = V.fromList [fromMaybe "" (lookup column (filled one)) | column <- columns]
     filled (Entry file pose force) =
       (File, toField (T.pack file)) :
-      concat [[(X, toField x), (Y, toField y), (Rotation, toField r)] | Just (Pose x y r) <- [pose]]
+      concat
+        [ [(X, toField x), (Y, toField y), (Rotation, toField r)]
+          | Just (SensorPose x y r) <-
+              [pose]
+        ]
         ++ [(Force, toField n) | Just n <- [force]]

@@ -19,8 +19,8 @@ module PraTactile.Sensor.Press
     heightOf,
 
     -- * Tabs
-    Footing (..),
-    footing,
+    TabSupport (..),
+    tabSupport,
     tabPoints,
 
     -- * The rigid press
@@ -40,7 +40,7 @@ import Data.Ord (Down (..))
 import qualified Data.Vector.Storable as V
 import PraTactile.Image (Raster, generate, index, raster, rasterSize, rasterValues)
 import PraTactile.Sensor.Bend
-import PraTactile.Sensor.Frame (Motion (..), Pose (..), TaxelGrid (..), movePoint)
+import PraTactile.Sensor.Frame (Motion (..), SensorPose (..), TaxelGrid (..), movePoint)
 
 -- | The relief of a face, constant on square cells: the cell's side in millimetres, the first
 -- cell, the heights in millimetres above the plane on which the probe rests, and the bend. The
@@ -69,17 +69,17 @@ heightOf (HeightMap _ (x0, y0) heights _) x y = case index heights (x - x0) (y -
 
 -- | The ground under each tab of a sensor: the share of the tab's area that is on the face, and
 -- the mean height there in millimetres.
-data Footing = Footing
-  { footingShare :: !Raster,
-    footingHeight :: !Raster
+data TabSupport = TabSupport
+  { supportShare :: !Raster,
+    supportHeight :: !Raster
   }
   deriving stock (Eq, Show)
 
 -- | The ground under the tabs of a sensor at a pose in the face's coordinates, evaluated at
 -- 'tabPoints'. The number is the tabs' diameter (mm; 0 for squares as wide as the taxel).
-footing :: TaxelGrid -> Double -> HeightMap -> Pose -> Footing
-footing (TaxelGrid columns rows taxel) diameter heights (Pose x y r) =
-  Footing (part fst) (part snd)
+tabSupport :: TaxelGrid -> Double -> HeightMap -> SensorPose -> TabSupport
+tabSupport (TaxelGrid columns rows taxel) diameter heights (SensorPose x y r) =
+  TabSupport (part fst) (part snd)
   where
     part f = generate columns rows (\i j -> f (under i j))
     points = tabPoints taxel diameter
@@ -145,8 +145,8 @@ tiltRise (w, h) (a, b) i j = a * across w i + b * across h j
 -- | The compression of each tab (mm) times its share: share * d(x, y), where z follows from the
 -- force. The arguments are the stiffness (N/mm), the force (N), the tilts a and b (mm), and the
 -- ground. All 0 where nothing is under the sensor.
-displacements :: Double -> Double -> (Double, Double) -> Footing -> Raster
-displacements stiffness force tilts (Footing shares heights) =
+displacements :: Double -> Double -> (Double, Double) -> TabSupport -> Raster
+displacements stiffness force tilts (TabSupport shares heights) =
   generate w h (\x y -> share x y * max 0 (z + rest x y))
   where
     (w, h) = rasterSize shares

@@ -5,12 +5,12 @@
 module PraTactile.Shape.Check
   ( -- * Faults
     Fault (..),
-    Kind (..),
+    ShapeFault (..),
     faults,
     leastTolerated,
 
     -- * Distances
-    Pair (..),
+    ClassPair (..),
     pairs,
     leastDistance,
     greatestPossible,
@@ -27,7 +27,7 @@ import PraTactile.Shape.Distance
 import PraTactile.Symmetry
 
 -- | A kind of fault of a shape.
-data Kind
+data ShapeFault
   = -- | It embosses fewer than 4 taxels along some side of its box.
     Side
   | -- | It does not consist of whole blocks of 2 x 2 taxels, or two blocks (embossed or flat) meet
@@ -48,7 +48,7 @@ data Kind
 -- | A fault with the name of its shape.
 data Fault = Fault
   { faultShape :: Text,
-    faultKind :: Kind
+    faultKind :: ShapeFault
   }
   deriving stock (Eq, Show)
 
@@ -73,7 +73,7 @@ faults a =
     apart = pairs a
 
 -- | Each kind of fault of a single shape, and whether the shape has it.
-ofShape :: Bitmap -> [(Kind, Bool)]
+ofShape :: Bitmap -> [(ShapeFault, Bool)]
 ofShape b =
   [ (Side, any ((< 4) . Set.size) sides),
     (Stroke, not (all whole blocks) || any cornersOnly corners),
@@ -123,7 +123,7 @@ piecesOf set = case Set.minView set of
 
 -- | Two classes, of which the first is not after the second, and the symmetry in which they are
 -- nearest. A class is compared with itself in the symmetries other than the identity.
-data Pair = Pair
+data ClassPair = ClassPair
   { pairFirst :: Int,
     pairSecond :: Int,
     pairNearest :: Nearest
@@ -131,9 +131,9 @@ data Pair = Pair
   deriving stock (Eq, Show)
 
 -- | All pairs of classes, each class with itself included. O(q^2) for q classes.
-pairs :: Drawings -> [Pair]
+pairs :: Drawings -> [ClassPair]
 pairs a =
-  [ Pair i j (nearest (if i == j then drop 1 symmetries else symmetries) b c)
+  [ ClassPair i j (nearest (if i == j then drop 1 symmetries else symmetries) b c)
     | (i, b) : others <- tails numbered,
       (j, c) <- (i, b) : others
   ]

@@ -292,7 +292,7 @@ seenSpec = do
   where
     pair low high = (,) <$> choose (low, high) <*> choose (low, high)
     genView =
-      View
+      SampleView
         <$> pair (-3) 3
         <*> pair (-1) 1
         <*> pair 0 0.5

@@ -269,7 +269,7 @@ images :: Int
 images = byEffort 350 1100
 
 -- | Specimens of a kind at noise 0.1, of each class's shape.
-specimens :: Network -> Alphabet -> Kind -> Int -> [Tally]
+specimens :: Network -> Alphabet -> SpecimenKind -> Int -> [Tally]
 specimens n a kind seed =
   [ tallied n (if genuine kind then Just k else Nothing) images (drawn shape) (seed + k)
     | (k, shape) <- zip [0 ..] (shapes a)

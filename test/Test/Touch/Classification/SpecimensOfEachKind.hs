@@ -11,7 +11,7 @@ import PraTactile.Classification.Templates (templates)
 import PraTactile.Image
 import PraTactile.Segmentation (Part (..))
 import PraTactile.Sensor
-import PraTactile.Sensor.Frame (Pose (..))
+import PraTactile.Sensor.Frame (SensorPose (..))
 import PraTactile.Shape
 import PraTactile.Symmetry
 import System.Random (mkStdGen)
@@ -29,7 +29,7 @@ spec = do
     [ forwardImage
         standardSensor {sensorFullScale = full}
         (heightMap pitch (constant 40 40 0.5))
-        (Pose 20 20 turn)
+        (SensorPose 20 20 turn)
       | turn <- [0, 30],
         (full, pitch) <- [(0, 1), (-1, 1), (0.8, 0), (0.8, -1)]
     ]

@@ -69,12 +69,12 @@ blending = do
     worth least dead = if dead then least else 1 :: Double
     genFrame = do
       image <- genRasterOf 6 4
-      pose <- Pose <$> choose (-8, 8) <*> choose (-8, 8) <*> elements [0, 90, 180, 270]
+      pose <- SensorPose <$> choose (-8, 8) <*> choose (-8, 8) <*> elements [0, 90, 180, 270]
       dead <- listOf ((,) <$> choose (0, 3) <*> choose (0, 5))
       pure (Frame pose 1 image taxelPitch dead)
     -- The taxels that cover a place, in taxels: the share of each, whether it is dead, and its
     -- value.
-    tellingOf (px, py) (Frame (Pose x y r) _ image _ dead) =
+    tellingOf (px, py) (Frame (SensorPose x y r) _ image _ dead) =
       [ (share, (j, i) `elem` dead, v)
         | i <- [0 .. 5],
           j <- [0 .. 3],
@@ -119,7 +119,7 @@ growing =
             let faint = mapRaster (* contrast) texture
                 settings =
                   standardRegistration {registrationSigma = Just sigma, registrationSweeps = 0}
-                at x = Pose (taxelPitch * fromIntegral (x :: Int)) 0 0
+                at x = SensorPose (taxelPitch * fromIntegral (x :: Int)) 0 0
                 apart = 16 - overlap
                 frames =
                   Frame (at apart) 1 faint taxelPitch [] :

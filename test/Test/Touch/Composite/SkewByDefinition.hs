@@ -6,7 +6,7 @@ import Data.Maybe (fromMaybe)
 import PraTactile.Composite
 import PraTactile.Composite.Skew
 import PraTactile.Image
-import PraTactile.Sensor.Manifest (standardTaking)
+import PraTactile.Sensor.Manifest (standardConventions)
 import Test.Effort (withCases)
 import Test.Hspec
 import Test.QuickCheck hiding (generate, sample)
@@ -34,7 +34,7 @@ genComposite sides = do
         compositePositionError = Nothing,
         compositeUnregisteredError = 0,
         compositeAxesStated = False,
-        compositeTaking = standardTaking,
+        compositeConventions = standardConventions,
         compositeAlternatives = [],
         compositeContradiction = Nothing,
         compositeAgreeing = Nothing,

@@ -56,9 +56,9 @@ ofOthers = do
           `shouldBe` (name, length shares, width)
         for_ (zip [0 ..] shares) $ \(i, image) -> do
           felt <- right (numberedImage Nothing (Just i) images)
-          let found = V.toList (rasterValues (feltImage felt))
+          let found = V.toList (rasterValues (scaledImage felt))
           (name, [v | (v, Just _) <- zip found image]) `shouldBe` (name, catMaybes image)
-          feltDead felt `shouldBe` [k `quotRem` width | (k, Nothing) <- zip [0 ..] image]
+          scaledDead felt `shouldBe` [k `quotRem` width | (k, Nothing) <- zip [0 ..] image]
       (_, found) -> expectationFailure (name ++ ": " ++ either show (const "read") found)
   it "are refused wherever an array is cut short" $ \files ->
     [ (name, n)
@@ -81,7 +81,7 @@ written =
       let full = fromIntegral (pgmMaxval pgm)
           shown = decodeImages maxPixels (encodeImage format pgm)
        in whenRight (shown >>= numberedImage (Just full) Nothing) $ \felt ->
-            (feltImage felt, feltDead felt, feltClipped felt) === (pgmIntensity pgm, [], 0)
+            (scaledImage felt, scaledDead felt, scaledClipped felt) === (pgmIntensity pgm, [], 0)
 
 movies :: Spec
 movies = do
@@ -92,17 +92,17 @@ movies = do
          in whenRight (decodeImages maxPixels file) $ \images ->
               imagesCount images === count
                 .&&. conjoin
-                  [ fmap feltImage (numberedImage Nothing (Just i) images)
+                  [ fmap scaledImage (numberedImage Nothing (Just i) images)
                       === Right (pgmIntensity pgm)
                     | i <- [0 .. count - 1]
                   ]
-                .&&. fmap feltImage (numberedImage Nothing (Just count) images)
+                .&&. fmap scaledImage (numberedImage Nothing (Just count) images)
                   === Left (NoSuchImage count count)
   it "of different sizes are refused, and so is an image followed by anything else" $ do
     problem "P5 1 1 9\n\1P5 2 1 9\n\1\2" `shouldBe` Just (SizesDiffer (1, 1) (2, 1))
     problem "P5 1 1 9\n\1P6 1 1 9\n\1\2\3" `shouldBe` Just (TrailingData 12)
   it "are not a single image" $
-    fmap feltImage (read' "P2 1 1 9 1\nP2 1 1 9 2" >>= numberedImage Nothing Nothing)
+    fmap scaledImage (read' "P2 1 1 9 1\nP2 1 1 9 2" >>= numberedImage Nothing Nothing)
       `shouldBe` Left (IsMovie 2)
 
 read' :: B.ByteString -> Either ImageError Images
@@ -127,20 +127,22 @@ matrices = do
          in whenRight (decodeImages maxPixels file) $ \images ->
               imagesCount images === count
                 .&&. conjoin
-                  [ fmap (toRows . feltImage) (numberedImage Nothing (Just i) images) === Right rows
+                  [ fmap (toRows . scaledImage) (numberedImage Nothing (Just i) images)
+                      === Right
+                        rows
                     | i <- [0 .. count - 1]
                   ]
   it "may lack readings, and are scaled by the stated full scale" $ do
     felt <- right (read' "10 nan 30\n20 B 51\n" >>= numberedImage (Just 50) Nothing)
-    feltDead felt `shouldBe` [(0, 1), (1, 1)]
-    feltClipped felt `shouldBe` 1
+    scaledDead felt `shouldBe` [(0, 1), (1, 1)]
+    scaledClipped felt `shouldBe` 1
     -- The mean of the nearest neighbours replaces a missing reading.
     let mean = (0.2 + 0.6 + 0.4 + 1) / 4
-    Right (feltImage felt) `shouldBe` fromRows [[0.2, mean, 0.6], [0.4, mean, 1]]
+    Right (scaledImage felt) `shouldBe` fromRows [[0.2, mean, 0.6], [0.4, mean, 1]]
   -- Comments before the first number could be indented, but were then refused as data.
   it "may have comments, indented or not, before and between rows" $
     let file = " # a\n#b\n0 1\n\t# c\n1 0\n"
-     in fmap (toRows . feltImage) (read' file >>= numberedImage Nothing Nothing)
+     in fmap (toRows . scaledImage) (read' file >>= numberedImage Nothing Nothing)
           `shouldBe` Right [[0, 1], [1, 0]]
   it "are refused with the place of the fault" $ do
     problem "0.1 x\n" `shouldBe` Just (NotNumber 1 2 "x")
@@ -185,12 +187,12 @@ tekscan = do
     images <- right (decodeImages maxPixels (export exported))
     (imagesCount images, imagesSize images, imagesSpacing images) `shouldBe` (2, (3, 2), Just 1.27)
     one <- right (numberedImage Nothing (Just 0) images)
-    (feltDead one, feltClipped one) `shouldBe` ([(0, 2)], 1)
-    [v | (k, v) <- zip [0 :: Int ..] (V.toList (rasterValues (feltImage one))), k /= 2]
+    (scaledDead one, scaledClipped one) `shouldBe` ([(0, 2)], 1)
+    [v | (k, v) <- zip [0 :: Int ..] (V.toList (rasterValues (scaledImage one))), k /= 2]
       `shouldBe` [0, 0.25, 0.5, 1, 1]
     two <- right (numberedImage Nothing (Just 1) images)
-    toRows (feltImage two) `shouldBe` [[0.005, 0.01, 0.015], [0.02, 0.025, 0.03]]
-    rasterSize (feltImage two) `shouldBe` (3, 2)
+    toRows (scaledImage two) `shouldBe` [[0.005, 0.01, 0.015], [0.02, 0.025, 0.03]]
+    rasterSize (scaledImage two) `shouldBe` (3, 2)
   -- An export whose lines end with CR alone was once not recognised as one.
   it "have lines that end with CR LF, LF or CR" $
     for_ ["\n", "\r"] $ \end ->
@@ -203,7 +205,7 @@ tekscan = do
         map (with "0.127 cm" "1.27 mm" . with "raw" "kPa") exported
     imagesSpacing images `shouldBe` Just 1.27
     one <- right (numberedImage Nothing (Just 0) images)
-    take 2 (V.toList (rasterValues (feltImage one))) `shouldBe` [0, 50 / 255]
+    take 2 (V.toList (rasterValues (scaledImage one))) `shouldBe` [0, 50 / 255]
   it "are refused with the missing part" $
     for_ refusals $ \(old, new, expected) -> do
       let spoilt = [if line == old then new else line | line <- exported]

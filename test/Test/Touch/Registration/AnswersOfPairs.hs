@@ -71,7 +71,7 @@ askedSpec = do
 
 -- | A question about two frames by themselves, the frames, and the posterior, which
 -- "Test.Touch.Registration.PairsByFormulas" compares with the formulas.
-genAsked :: Gen (Pairing, (Raster, Raster), Known)
+genAsked :: Gen (Pairing, (Raster, Raster), PlacePosterior)
 genAsked = do
   (frames, (dx, dy)) <- genFrames 9 8
   (method, known) <- elements [(Blind, blind), (Correlation, correlationPosterior)]
@@ -82,7 +82,7 @@ genAsked = do
   where
     blind step search a b =
       blindPosterior (Overlap.reliefOf (spectra 9 8) 0 [a, b]) step search
-    placesOf (Posterior (x, y) _ (columns, rows) masses) =
+    placesOf (GridPosterior (x, y) _ (columns, rows) masses) =
       zip
         [(round x + i, round y + j) | j <- [0 .. rows - 1], i <- [0 .. columns - 1]]
         (V.toList masses)
@@ -107,7 +107,7 @@ near :: Double -> Double -> Bool
 near p q = abs (p - q) < 1e-6
 
 -- | The probability within three quarters of a taxel of a place, along both axes.
-heldAround :: Known -> (Double, Double) -> Double
+heldAround :: PlacePosterior -> (Double, Double) -> Double
 heldAround known (x, y) =
   sum [p | ((i, j), p) <- known, abs (real i - x) <= reach, abs (real j - y) <= reach]
   where

@@ -20,7 +20,7 @@ import PraTactile.Registration.Lattice.Symbols (symbolsClasses)
 import PraTactile.Registration.Lattice.Template
 import PraTactile.Registration.Model
 import PraTactile.Registration.Pair.Methods
-import PraTactile.Registration.Posterior (Hypothesis (..), Posterior (..))
+import PraTactile.Registration.Posterior (GridPosterior (..), Hypothesis (..))
 import PraTactile.Registration.Settings (Registration (..), standardRegistration)
 import Test.Effort (byEffort, withCases)
 import Test.Hspec
@@ -49,11 +49,11 @@ cellSpec =
               -- A class that is less likely by e^30 does not count.
               abs (found - wanted) < 1e-9 * max 1 (abs found)
 
-tablesOf :: Double -> (Int, Int) -> Templates
+tablesOf :: Double -> (Int, Int) -> LatticeTemplates
 tablesOf = tablesAt paperTables
 
 -- | The tables' values for a frame at any angle, which other tests compare with drawn symbols.
-tabled :: Templates -> Raster -> Felt
+tabled :: LatticeTemplates -> Raster -> SymbolMoments
 tabled tables image =
   Map.fromList
     [ ((o, firstY * q + y, firstX * q + x), [(at products, at sums, at squares) | at <- classes])
@@ -74,7 +74,7 @@ tabled tables image =
 
 -- | The number in the tables of a phase that begins there, in places from the frame's upper left
 -- taxel.
-phaseNumber :: Templates -> (Int, Int, Int) -> Int
+phaseNumber :: LatticeTemplates -> (Int, Int, Int) -> Int
 phaseNumber tables (o, y, x) =
   (o * down + (y - q * firstY) `mod` down) * across + (x - q * firstX) `mod` across
   where
@@ -82,12 +82,12 @@ phaseNumber tables (o, y, x) =
     (firstX, firstY) = placesFirst (templatePlaces tables)
     (across, down) = (16 * q, 20 * q)
 
-paper :: Drawings
+paper :: SymbolReadings
 paper = either (error . show) drawings paperAlphabet
 
 -- | The correlations of a frame at whole and at half taxels: drawn along its axes, from the tables
 -- at angles.
-felt :: Double -> Raster -> (Felt, Felt)
+felt :: Double -> Raster -> (SymbolMoments, SymbolMoments)
 felt angle image
   | angle == 0 = (drawn paper 1 image, drawn paper 2 image)
   | otherwise = (tabled (coarser tables) image, tabled tables image)
@@ -250,7 +250,7 @@ together robot angle frames =
   where
     bySigma = sigmas 6 robot
     seen =
-      [ Seen (about (negate angle) place) (phaseLogsOf 2 classes) classes
+      [ FrameLikelihoods (about (negate angle) place) (phaseLogsOf 2 classes) classes
         | (place, image) <- frames,
           let (_, classes, _) = fitted angle image
       ]
@@ -258,7 +258,7 @@ together robot angle frames =
     options = map (likely 12 robot phase) seen
     (fields, qs) = meanField bySigma options
     located =
-      [ turn (estimate (seenPlace one) (zip [d | (d, _, _) <- told] ps))
+      [ turn (estimate (framePlace one) (zip [d | (d, _, _) <- told] ps))
         | (one, told, ps) <- zip3 seen options fields
       ]
     about degrees (x, y) =
@@ -291,7 +291,7 @@ pairSpec =
   it "the posterior of two frames' displacement sums over all phases and symbols together" $
     forAllBlind genPair $ \(step, a, b) ->
       let told = likelihood (tablesOf 0 (12, 13)) . whole
-          Posterior origin spacing size masses = latticePosterior step 1 (told a) (told b)
+          GridPosterior origin spacing size masses = latticePosterior step 1 (told a) (told b)
           displacements =
             [ ((round (2 * fst step) + i, round (2 * snd step) + j), prior)
               | j <- [-2 .. 2],

@@ -27,7 +27,7 @@ near :: Double -> Double -> Property
 near wanted came = counterexample (show (wanted, came)) (abs (wanted - came) < 1e-9)
 
 -- | Masses on a grid, some of them 0.
-genPosterior :: Gen Posterior
+genPosterior :: Gen GridPosterior
 genPosterior = do
   columns <- choose (1, 9)
   rows <- choose (1, 9)
@@ -37,8 +37,8 @@ genPosterior = do
   pure (posterior origin spacing (columns, rows) (V.fromList (0 : drop 1 logs)))
 
 -- | The points of the grid, each with its probability.
-pointsOf :: Posterior -> [((Double, Double), Double)]
-pointsOf (Posterior (ox, oy) spacing (columns, rows) masses) =
+pointsOf :: GridPosterior -> [((Double, Double), Double)]
+pointsOf (GridPosterior (ox, oy) spacing (columns, rows) masses) =
   zip
     [ (ox + spacing * fromIntegral x, oy + spacing * fromIntegral y)
       | y <- [0 .. rows - 1],
@@ -51,7 +51,7 @@ posteriorSpec = do
   it "is proportional to the exponentials, and ignores NaN" $
     forAll (listOf1 (frequency [(6, choose (-800, 800)), (1, pure (0 / 0)), (1, pure (-1 / 0))])) $
       \logs ->
-        let Posterior _ _ _ masses = posterior (0, 0) 1 (length logs, 1) (V.fromList logs)
+        let GridPosterior _ _ _ masses = posterior (0, 0) 1 (length logs, 1) (V.fromList logs)
             finite = [l | l <- logs, not (isNaN l || isInfinite l)]
             share l = if isNaN l then 0 else 1 / sum [exp (l' - l) | l' <- finite]
          in conjoin
@@ -134,7 +134,7 @@ posteriorSpec = do
                 -((x - stepX) ^ (2 :: Int) + (y - stepY) ^ (2 :: Int)) * 2 / (search * search)
             top = maximum (map (weight . fst) (pointsOf known))
             weights = [exp (weight p - top) | (p, _) <- pointsOf known]
-            Posterior origin spacing size masses = priorAlone search (stepX, stepY) known
+            GridPosterior origin spacing size masses = priorAlone search (stepX, stepY) known
          in conjoin (zipWith near (map (/ sum weights) weights) (V.toList masses))
               .&&. (origin, spacing, size)
               === (posteriorOrigin known, posteriorSpacing known, posteriorSize known)
@@ -157,7 +157,7 @@ neighbourSpec = do
             ]
           found =
             [ (k, l, step, share)
-              | Neighbours k l step share <- neighbours placed,
+              | OverlappingPair k l step share <- neighbours placed,
                 share > 1e-12
             ]
           alike (k, l, (x, y), s) (k', l', (x', y'), s') =
@@ -167,7 +167,7 @@ neighbourSpec = do
   it "are found around this many of the frames, evenly taken, and no others" $
     forAll (choose (1, 16)) $ \n -> forAll (choose (1, 20)) $ \most ->
       let placed = replicate n ((0, 0), constant 4 4 0)
-          firsts = nub [k | Neighbours k _ _ _ <- neighboursAround most placed]
+          firsts = nub [k | OverlappingPair k _ _ _ <- neighboursAround most placed]
           step k = (k * most) `div` n
           taken = [k | k <- [0 .. n - 1], n <= most || step k /= step (k - 1)]
        in -- The last one has none after it.
@@ -175,7 +175,7 @@ neighbourSpec = do
   it "are found among sixteen of the frames in one square" $
     forAll (choose (17, 60)) $ \n ->
       let placed = replicate n ((0, 0), constant 4 4 0)
-       in length (nub [l | Neighbours 0 l _ _ <- neighbours placed]) === 15
+       in length (nub [l | OverlappingPair 0 l _ _ <- neighbours placed]) === 15
   where
     genFrame = do
       w <- choose (1, 6)

@@ -12,7 +12,7 @@ import Data.Ord (comparing)
 import qualified Data.Vector.Storable as V
 import qualified Data.Vector.Unboxed as Unboxed
 import PraTactile.Image (constant)
-import PraTactile.Registration.Definition (Robot (..), Seen (..), estimate, likely)
+import PraTactile.Registration.Definition (FrameLikelihoods (..), Robot (..), estimate, likely)
 import qualified PraTactile.Registration.Definition as Definition
 import PraTactile.Registration.Estimate
 import PraTactile.Registration.Field
@@ -47,9 +47,9 @@ blank = likelihood (tablesOf 0 (16, 16)) (whole (constant 16 16 0))
     tablesOf = tablesAt paperTables
 
 -- | A frame at this place, with these log-likelihoods of phases and classes.
-seenAt :: (Double, Double) -> V.Vector Double -> V.Vector Double -> Seen
+seenAt :: (Double, Double) -> V.Vector Double -> V.Vector Double -> FrameLikelihoods
 seenAt place phases classes =
-  Seen
+  FrameLikelihoods
     place
     (Map.fromList (zip (indices 40 32) (V.toList phases)))
     (Map.fromList (zip (indices rows columns) (inFours (V.toList classes))))

@@ -77,7 +77,12 @@ felt relief (x0, y0) =
 -- | Four by four frames, eight taxels apart, displaced by these errors.
 scanned :: ((Double, Double) -> Double) -> [(Double, Double)] -> [Frame]
 scanned relief errors =
-  [ Frame (Pose (taxelPitch * x) (taxelPitch * y) 0) 1 (felt relief (x + dx, y + dy)) taxelPitch []
+  [ Frame
+      (SensorPose (taxelPitch * x) (taxelPitch * y) 0)
+      1
+      (felt relief (x + dx, y + dy))
+      taxelPitch
+      []
     | ((x, y), (dx, dy)) <-
         zip
           [(fromIntegral i, fromIntegral j) | j <- [0, 8 .. 24 :: Int], i <- [0, 8 .. 24 :: Int]]
@@ -148,7 +153,7 @@ templatesSpec alphabet = do
           let tables = templates alphabet angle 16 16
               count = symbolsClasses (templateSymbols tables)
               cells = cellsOfPhase (templatePlaces tables) phase
-              Moments products sums squares =
+              TemplateSums products sums squares =
                 momentsAt tables (areaSums (templatePlaces tables) image) (V.fromList cells)
               ofCells numbers = V.concat [V.slice (count * c) count numbers | c <- cells]
            in (products, sums, squares)
@@ -253,9 +258,9 @@ registered alphabet = do
             )
     -- A quarter turn clockwise about the origin, of place and image; the sensor is not turned.
     turnedFrame frame =
-      let Pose x y r = framePose frame
+      let SensorPose x y r = framePose frame
           turned' i j = at (frameImage frame) j (15 - i)
-       in frame {framePose = Pose (negate y) x r, frameImage = generate 16 16 turned'}
+       in frame {framePose = SensorPose (negate y) x r, frameImage = generate 16 16 turned'}
     at image i j = rasterValues image V.! (j * 16 + i)
 
 angled :: Alphabet -> Spec
@@ -327,9 +332,9 @@ contradicting alphabet = do
         [ p
           | (_, back) <- axesNamed,
             let p = alongAxes back pose,
-            let Pose x y _ = alongAxes axes p,
+            let SensorPose x y _ = alongAxes axes p,
             abs (x - poseX pose) < 1e-9 && abs (y - poseY pose) < 1e-9,
-            alongAxes axes (alongAxes back (Pose 1 2 0)) == Pose 1 2 0
+            alongAxes axes (alongAxes back (SensorPose 1 2 0)) == SensorPose 1 2 0
         ]
 
 jointly :: Alphabet -> Spec
@@ -349,7 +354,7 @@ jointly alphabet = do
   prop "neighbours are the pairs whose rectangles overlap, with the share of the overlap" $
     forAll (vectorOf 7 ((,) <$> choose (0, 40) <*> choose (0, 40))) $ \places ->
       let images = [((x, y), constant 9 7 0) | (x, y) <- places]
-          told = [(k, l, share) | Neighbours k l _ share <- neighbours images]
+          told = [(k, l, share) | OverlappingPair k l _ share <- neighbours images]
           meeting n a b = max 0 (n - abs (a - b)) / n
           expected =
             [ (k, l, meeting 9 x x' * meeting 7 y y')
@@ -382,7 +387,7 @@ pairs alphabet =
           noisy k image = zipWithRaster image (take 256 (map fst (errorsOf 0.05 k)))
           a = told (noisy 1 (felt relief (x, y)))
           b = told (noisy 2 (felt relief (x + 8, y)))
-          Posterior _ _ _ masses = latticePosterior (8, 0) 1 a b
+          GridPosterior _ _ _ masses = latticePosterior (8, 0) 1 a b
       -- Of five by five places half a taxel apart, the one in the middle.
       ((x, y), masses V.! 12) `shouldSatisfy` ((> 0.001) . snd)
   where

@@ -11,7 +11,7 @@ import PraTactile.Registration.Alternatives (slipped, tiedGroups)
 import PraTactile.Registration.Joint (Joint (..), registerJointly)
 import PraTactile.Registration.Lattice.Fit (fitsAt, whole)
 import PraTactile.Registration.Layout
-import PraTactile.Sensor.Frame (Frame (..), Pose (..), taxelPitch)
+import PraTactile.Sensor.Frame (Frame (..), SensorPose (..), taxelPitch)
 import PraTactile.Sensor.Manifest (axesName, axesNamed, straight)
 import Test.Hspec
 import Test.Hspec.QuickCheck (prop)
@@ -116,7 +116,7 @@ spec = do
     frame :: (Double, Double) -> Double -> Double -> (Double, Double) -> Frame
     frame (left', top) gain offset (x, y) =
       Frame
-        (Pose ((left' + x) * taxelPitch) ((top + y) * taxelPitch) 0)
+        (SensorPose ((left' + x) * taxelPitch) ((top + y) * taxelPitch) 0)
         1
         (felt gain offset (x, y))
         taxelPitch

@@ -71,7 +71,7 @@ pairSpec = do
       let near0 = if search > 0 then off else [0]
       (ex, ey) <- (,) <$> elements near0 <*> elements (map negate near0)
       pure (frames, (fromIntegral dx + ex, fromIntegral dy + ey), search)
-    known (Posterior (ox, oy) spacing (columns, rows) masses) wanted =
+    known (GridPosterior (ox, oy) spacing (columns, rows) masses) wanted =
       spacing === 1
         .&&. [(round ox + x, round oy + y) | y <- [0 .. rows - 1], x <- [0 .. columns - 1]]
           === map fst wanted

@@ -50,7 +50,7 @@ seeds = [1 .. byEffort 1 10]
 sceneSize :: (Int, Int)
 sceneSize = byEffort (24, 32) (32, 40)
 
-scenePoses :: [Pose]
+scenePoses :: [SensorPose]
 scenePoses = uncurry region sceneSize
 
 -- | Scenes of an exact sensor on reliefs with detail everywhere: with errors of whole taxels, with
@@ -105,7 +105,7 @@ symbolScenes =
 
 -- | Frames pressed at the nominal poses displaced by the given errors, in taxels, without other
 -- noise.
-pressed :: Sensor -> HeightMap -> [(Pose, Taxels)] -> [Frame]
+pressed :: Sensor -> HeightMap -> [(SensorPose, Taxels)] -> [Frame]
 pressed sensor relief placed =
   [ Frame
       pose
@@ -125,7 +125,7 @@ pressed sensor relief placed =
 
 -- | The poses of a region of this width and height, taxels, from 10 taxels right and down of the
 -- face's corner.
-region :: Int -> Int -> [Pose]
+region :: Int -> Int -> [SensorPose]
 region w h = either (const []) id (planScan 8 (10 * taxelPitch, 10 * taxelPitch) (w, h))
 
 -- | The places less their mean.
@@ -153,7 +153,7 @@ single =
               [ either
                   (\e -> counterexample (show e) False)
                   (check image (x - edge, y - edge))
-                  (assemble [Frame (Pose x y 0) 1 image taxelPitch []])
+                  (assemble [Frame (SensorPose x y 0) 1 image taxelPitch []])
                 | assemble <- [placeOnly, stitch standardRegistration]
               ]
   where
@@ -364,7 +364,11 @@ unseen = do
       compositeDisplacements
       ( stitch
           standardRegistration
-          (pressed idealSensor (texture 1 99 99) [(Pose 20 20 0, (0, 0)), (Pose 120 20 0, (1, 1))])
+          ( pressed
+              idealSensor
+              (texture 1 99 99)
+              [(SensorPose 20 20 0, (0, 0)), (SensorPose 120 20 0, (1, 1))]
+          )
       )
       `shouldBe` Right [(0, 0), (0, 0)]
 
@@ -390,7 +394,7 @@ noisy =
 -- | The distance between a smooth scene and the composite of one frame of it, by a sensor turned by
 -- this angle.
 turnedOff :: Double -> Double
-turnedOff degrees = case placeOnly [Frame (Pose 0 0 degrees) 1 image taxelPitch []] of
+turnedOff degrees = case placeOnly [Frame (SensorPose 0 0 degrees) 1 image taxelPitch []] of
   Left _ -> 1
   Right composite ->
     let seen = compositeImage composite
@@ -443,7 +447,7 @@ refusals = do
       (count, either Just (const Nothing) (placeOnly (replicate count good)))
         `shouldBe` (count, refused)
   it "too many pixels are refused, at the canonical pitch or the frames' own, unresampled" $ do
-    let large pitch = Frame (Pose 0 0 0) 1 (constant 256 256 0.5) pitch []
+    let large pitch = Frame (SensorPose 0 0 0) 1 (constant 256 256 0.5) pitch []
         refusal pitch count =
           either Just (const Nothing) (placeOnly (replicate count (large pitch)))
     -- Taxels of 50 mm make 8062 x 8062 pixels of a frame.
@@ -465,7 +469,7 @@ refusals = do
   where
     stitched = stitch standardRegistration
     good = at 0 0 0
-    at x y r = Frame (Pose x y r) 1 (constant 16 16 0.5) taxelPitch []
+    at x y r = Frame (SensorPose x y r) 1 (constant 16 16 0.5) taxelPitch []
     tooLarge (Left (AreaTooLarge _ _)) = True
     tooLarge _ = False
 
@@ -522,7 +526,7 @@ real = do
         other -> Left (show other)
     trueStepX image = if rasterWidth image == 33 then 6 else 2
     trueStepY image = if rasterWidth image == 33 then 5 else 8
-    frameAt (x, y) image = Frame (Pose (along x) (along y) 0) 1 image taxelPitch []
+    frameAt (x, y) image = Frame (SensorPose (along x) (along y) 0) 1 image taxelPitch []
     along k = taxelPitch * fromIntegral (k :: Int)
     withFrames names cases = do
       images <- traverse load (byEffort (take 1) id names)

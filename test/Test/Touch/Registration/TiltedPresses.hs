@@ -10,7 +10,7 @@ import Data.Maybe (isNothing)
 import qualified Data.Vector.Storable as V
 import PraTactile.Image hiding (mean)
 import PraTactile.Registration.Contact
-import PraTactile.Registration.Definition (Drawings, drawings, drawn)
+import PraTactile.Registration.Definition (SymbolReadings, drawings, drawn)
 import PraTactile.Registration.Lattice.Fit
 import PraTactile.Registration.Lattice.Likelihood hiding (eStep, mStep)
 import PraTactile.Registration.Lattice.Template (tablesAt)
@@ -213,5 +213,5 @@ weightSpec = do
     -- Large enough a part of a frame to contain some of a symbol.
     part = either (error . show) id . crop (0, 0) (byEffort (12, 11) (16, 16))
 
-paper :: Drawings
+paper :: SymbolReadings
 paper = either (error . show) drawings paperAlphabet

@@ -100,5 +100,5 @@ turnedSpec = do
 composed :: [(Double, Double)] -> IO Composite
 composed = either (fail . show) pure . placeOnly . map frame
   where
-    frame (x, y) = Frame (Pose x y 0) 1 (generate 16 16 stripes) taxelPitch []
+    frame (x, y) = Frame (SensorPose x y 0) 1 (generate 16 16 stripes) taxelPitch []
     stripes x y = (1 + sin (0.75 * sqrt 3 * fromIntegral y - 0.75 * fromIntegral x)) / 2

@@ -29,12 +29,12 @@ spec = do
             let u = taxelPitch * (fromIntegral k - 8)
              in radius - (area (u + taxelPitch) - area u) / taxelPitch
           wanted i j = (50 - low (if axis == AboutY then i else j)) / 100
-       in within 2e-4 (forwardImage sensor plain (Pose 100 100 0)) (generate 16 16 wanted)
+       in within 2e-4 (forwardImage sensor plain (SensorPose 100 100 0)) (generate 16 16 wanted)
   withCases 6 100
     . it "an element has the relief at its distance along the circle under it, by a chain of chords"
     $ forAll ((,) <$> choose (18, 200) <*> anyTurn) $ \(radius, turn) ->
       let sensor = idealSensor {sensorColumns = 3, sensorRows = 14, sensorFullScale = 100}
-          seen = forwardImage sensor (bent radius AboutY ramp) (Pose 20 15 turn)
+          seen = forwardImage sensor (bent radius AboutY ramp) (SensorPose 20 15 turn)
           under i j =
             mean'
               [ 50 + along radius u - (radius - sqrt (radius * radius - u * u))
@@ -59,7 +59,7 @@ spec = do
                 reach * reach / radius / full
                   + 3 * (pi / 2 - 1) * reach ** 3 / (radius * radius) / taxelPitch
               reach = 8 * taxelPitch
-              pose = Pose x y turn
+              pose = SensorPose x y turn
            in within
                 (most + 1e-9)
                 (forwardImage idealSensor (bent radius axis heights) pose)
@@ -73,8 +73,14 @@ spec = do
                 transposed = heightMap taxelPitch (turnedOver (heightValues heights))
              in within
                   1e-9
-                  (forwardImage sensor (bent radius AboutX transposed) (Pose y x (negate turn)))
-                  (turnedOver (forwardImage sensor (bent radius AboutY heights) (Pose x y turn)))
+                  ( forwardImage
+                      sensor
+                      (bent radius AboutX transposed)
+                      (SensorPose y x (negate turn))
+                  )
+                  ( turnedOver
+                      (forwardImage sensor (bent radius AboutY heights) (SensorPose x y turn))
+                  )
   it "the sensor touches at its own middle: moved by a period of the relief it reads the same" $
     forAll ((,) <$> elements [minBound ..] <*> elements [idealSensor, presetSensor Real]) $
       \(axis, sensor) ->
@@ -85,14 +91,17 @@ spec = do
                 seen a = forwardImage sensor (bent radius axis (heightMap taxelPitch repeated)) a
              in within
                   1e-9
-                  (seen (Pose x 40 turn))
-                  (seen (Pose (x + 4 * taxelPitch * fromIntegral period) 40 turn))
+                  (seen (SensorPose x 40 turn))
+                  (seen (SensorPose (x + 4 * taxelPitch * fromIntegral period) 40 turn))
   it "a rigid press goes on until lower tabs bear it, too" $
     forAll ((,) <$> choose (10, 60) <*> choose (0.01, 3)) $ \(radius, force) ->
       let -- Three tabs, so small that each feels a point, 2 mm apart.
           under =
-            footing (TaxelGrid 3 1 2) 1e-6 (bent radius AboutY (heightMap 1 (constant 50 50 1))) $
-              Pose 25 25 0
+            tabSupport
+              (TaxelGrid 3 1 2)
+              1e-6
+              (bent radius AboutY (heightMap 1 (constant 50 50 1)))
+              $ SensorPose 25 25 0
           low = radius - sqrt (radius * radius - 4)
           stiffness = 0.2
           middle = force / stiffness

@@ -69,7 +69,7 @@ calibrating = do
     let dark = generate 5 4 (\x y -> 0.01 * fromIntegral (x + y))
         lit = mapRaster (+ 0.5) dark
     found <- right (calibrate [dark] [lit])
-    frame <- right (corrected found (Frame (Pose 0 0 0) 0 (mapRaster (+ 0.25) dark) 1 []))
+    frame <- right (corrected found (Frame (SensorPose 0 0 0) 0 (mapRaster (+ 0.25) dark) 1 []))
     V.maximum (V.map (abs . subtract 0.25) (rasterValues (frameImage frame)))
       `shouldSatisfy` (< 1e-12)
   it "an element is dead if it rises below a quarter of the median, or is bright in the dark" $ do
@@ -92,7 +92,7 @@ calibrating = do
     let dead = [(2, 3), (0, 0), (0, 1), (1, 0), (1, 1)]
         plain = Calibration (constant 6 5 0) (constant 6 5 1) dead
         image = generate 6 5 (\x y -> 0.02 * fromIntegral x + 0.05 * fromIntegral y)
-    frame <- right (corrected plain (Frame (Pose 0 0 0) 0 image 1 [(4, 5), (0, 1)]))
+    frame <- right (corrected plain (Frame (SensorPose 0 0 0) 0 image 1 [(4, 5), (0, 1)]))
     at (frameImage frame) 5 4 `shouldBe` at image 5 4
     sort (frameDead frame) `shouldBe` sort ((4, 5) : dead)
   it "a dead element reads the mean of its nearest living ones, for all 4096 sets of 4 x 3" $
@@ -137,7 +137,8 @@ calibrating = do
     let lit = [(3, 2), (9, 9)]
         felt k = generate 16 16 $ \x y ->
           if (y, x) `elem` lit then 1 else if (x + 3 * k + y) `mod` 7 < 2 then 0.8 else 0
-        framesAt step n = [Frame (Pose (step * fromIntegral k) 0 0) 0 (felt k) 1 [] | k <- [0 .. n]]
+        framesAt step n =
+          [Frame (SensorPose (step * fromIntegral k) 0 0) 0 (felt k) 1 [] | k <- [0 .. n]]
         plain = Calibration (constant 16 16 0) (constant 16 16 1) lit
         moved = framesAt 4 7
     expected <- right (traverse (corrected plain) moved)
@@ -146,7 +147,7 @@ calibrating = do
       [ ("standing still" :: String, framesAt 0.5 7),
         ("few", framesAt 4 4),
         ("all saturated", [frame {frameImage = constant 16 16 1} | frame <- moved]),
-        ("two sizes", Frame (Pose 0 0 0) 0 (constant 4 4 1) 1 [] : moved)
+        ("two sizes", Frame (SensorPose 0 0 0) 0 (constant 4 4 1) 1 [] : moved)
       ]
       $ \(name, frames') -> (name, withoutStuck frames' == frames') `shouldBe` (name, True)
   it "a file's dead elements must be elements of the sensor" $
@@ -170,7 +171,7 @@ calibrating = do
     for_ [(4, 4, 16, 16), (5, 4, 4, 5), (5, 4, 5, 5)] $ \(w, h, w', h') ->
       corrected
         (Calibration (constant w h 0) (constant w h 1) [])
-        (Frame (Pose 0 0 0) 0 (constant w' h' 0) 1 [])
+        (Frame (SensorPose 0 0 0) 0 (constant w' h' 0) 1 [])
         `shouldBe` Left (SensorsDiffer (w, h) (w', h'))
 
 pitches :: Spec
@@ -217,7 +218,7 @@ pitches = do
       forAll ((,,) <$> choose (20, 40) <*> choose (20, 40) <*> elements [0, 90, 180, 270]) $
         \(x, y, r) ->
           let relief = texture 7 60 60
-              pose = Pose (x * taxelPitch) (y * taxelPitch) r
+              pose = SensorPose (x * taxelPitch) (y * taxelPitch) r
               frame sensor = Frame pose 0 (forwardImage sensor relief pose) (sensorTaxel sensor) []
               fine =
                 (withTaxel (taxelPitch / 2) idealSensor)
@@ -234,7 +235,7 @@ sizes = do
     let relief = texture 3 60 60
         sensor = idealSensor {sensorColumns = 10, sensorRows = 6}
         pressed x y r =
-          let pose = Pose (taxelPitch * x) (taxelPitch * y) r
+          let pose = SensorPose (taxelPitch * x) (taxelPitch * y) r
            in Frame pose 0 (forwardImage sensor relief pose) taxelPitch []
     together <- right (placeOnly [pressed 15 13 0, pressed 23 15 90])
     -- The first covers columns 10 to 19 and rows 10 to 15, the second columns 20 to 25 and rows 10
@@ -251,7 +252,7 @@ sizes = do
           ]
     wrong `shouldBe` []
   it "frames below 4 x 4 or above 256 x 256, and invalid pitches, are refused" $ do
-    let frame w h = Frame (Pose 0 0 0) 0 (constant w h 0.5) taxelPitch []
+    let frame w h = Frame (SensorPose 0 0 0) 0 (constant w h 0.5) taxelPitch []
     map
       (either show (const "put together") . placeOnly . pure)
       [ frame 3 4,

@@ -46,18 +46,18 @@ tabs = do
     maximum (map fst square) - 1.5875 * 0.375 `shouldSatisfy` ((< 1e-12) . abs)
   it "a tab on the face's edge has half its share there, and one beyond has none" $ do
     let face = heightMap 0.1 (constant 100 100 0.7)
-        under x = footing (TaxelGrid 1 1 1.5875) 1.1 face (Pose x 5 0)
-        seen x = (at (footingShare (under x)) 0 0, at (footingHeight (under x)) 0 0)
+        under x = tabSupport (TaxelGrid 1 1 1.5875) 1.1 face (SensorPose x 5 0)
+        seen x = (at (supportShare (under x)) 0 0, at (supportHeight (under x)) 0 0)
         gap (a, b) (c, d) = max (abs (a - c)) (abs (b - d))
     maximum (zipWith gap (map seen [5, 0, -5]) [(1, 0.7), (0.5, 0.7), (0, 0)])
       `shouldSatisfy` (< 1e-12)
   prop "turned tabs meet the face at the turned places" $ \seed ->
     forAll (choose (0, 360)) $ \r ->
       let (i, j) = (seed `mod` 16, (seed `div` 16) `mod` 16 :: Int)
-          under = footing standardTaxelGrid 1.1 ramp (Pose 20 20 r)
+          under = tabSupport standardTaxelGrid 1.1 ramp (SensorPose 20 20 r)
           place k = taxelPitch * (fromIntegral k - 7.5)
           (x, y) = movePoint (Motion r 20 20) (place i, place j)
-       in near 0.08 (at (footingHeight under) i j) (0.2 * x + 0.4 * y)
+       in near 0.08 (at (supportHeight under) i j) (0.2 * x + 0.4 * y)
   where
     ramp =
       heightMap 0.1 (generate 400 400 (\u v -> 0.02 * fromIntegral u + 0.04 * fromIntegral v))
@@ -78,7 +78,7 @@ rigid = do
   prop "on a plane under all tabs, the displacements are F / (k n) plus the tilts" $
     forAll ((,) <$> choose (-0.1, 0.1) <*> choose (-0.1, 0.1)) $ \(a, b) ->
       forAll ((,) <$> choose (1, 16) <*> choose (1, 16)) $ \(w, h) ->
-        let plane = Footing (constant w h 1) (constant w h 0.3)
+        let plane = TabSupport (constant w h 1) (constant w h 0.3)
             across n k = (2 * fromIntegral k + 1 - fromIntegral n) / fromIntegral n
             expected i j =
               20 / (0.19 * fromIntegral (w * h)) + a * across w i + b * across h j
@@ -91,11 +91,11 @@ rigid = do
     forAll ((,,) <$> choose (1, 40) <*> choose (15, 30) <*> choose (15, 30)) $ \(force, x, y) ->
       let relief = heightMap 3 (generate 20 20 (\u v -> if even (u + v) then 1.5875 else 0))
           sensor = linear {sensorForce = force, sensorFullForce = 100}
-          seen = forwardImage sensor relief (Pose x y 30)
+          seen = forwardImage sensor relief (SensorPose x y 30)
        in near 1e-6 (100 * V.sum (rasterValues seen)) force
   it "nothing is felt beyond the face's edge, unlike on an endless plane" $ do
     let plane = heightMap 1 (constant 50 50 0)
-        seen = forwardImage linear plane (Pose 0 25 0)
+        seen = forwardImage linear plane (SensorPose 0 25 0)
     [at seen x 8 > 0 | x <- [0, 7, 8, 15]] `shouldBe` [False, False, True, True]
 
 spreading :: Spec
@@ -227,7 +227,7 @@ readings = do
       _ -> expectationFailure "not one frame"
 
 -- | The images of presses in turn.
-scanned :: Sensor -> HeightMap -> [Pose] -> [Raster]
+scanned :: Sensor -> HeightMap -> [SensorPose] -> [Raster]
 scanned sensor relief poses = map frameImage (fst (scan sensor relief stay poses (mkStdGen 2)))
 
 oneByOne :: Spec
@@ -237,15 +237,15 @@ oneByOne = do
   it "hysteresis: a press on nothing reads the share of the press before" $ do
     let sensor = idealSensor {sensorHysteresis = 0.1}
         face = heightMap taxelPitch (constant 16 16 (0.6 * sensorFullScale sensor))
-        here = Pose (8 * taxelPitch) (8 * taxelPitch) 0
-        images = scanned sensor face [here, Pose 500 500 0, here]
+        here = SensorPose (8 * taxelPitch) (8 * taxelPitch) 0
+        images = scanned sensor face [here, SensorPose 500 500 0, here]
     [at image 7 7 | image <- images] `shouldSatisfy` \seen -> case seen of
       [a, b, c] -> maximum [abs (a - 0.6), abs (b - 0.06), abs (c - 0.606)] < 1e-9
       _ -> False
   it "force: readings vary with it by the stated deviation, within five standard errors" $ do
     let sensor = linear {sensorForceSpread = 0.15}
         plane = heightMap 5 (constant 20 20 0)
-        images = scanned sensor plane (replicate 400 (Pose 50 50 0))
+        images = scanned sensor plane (replicate 400 (SensorPose 50 50 0))
         forces = [10 * V.sum (rasterValues image) | image <- images]
         average = sum forces / 400
         deviation = sqrt (sum [(f - average) * (f - average) | f <- forces] / 400)
@@ -254,7 +254,7 @@ oneByOne = do
   it "tilt: the edges differ by the stated deviation, within five standard errors" $ do
     let sensor = linear {sensorTiltSpread = 0.02}
         plane = heightMap 5 (constant 20 20 0)
-        images = scanned sensor plane (replicate 400 (Pose 50 50 0))
+        images = scanned sensor plane (replicate 400 (SensorPose 50 50 0))
         -- The distance of the outer columns' centres from the middle is 15 / 16 of half the sensor.
         tilts = [(at image 15 8 - at image 0 8) * 10 / 0.19 / 2 * 16 / 15 | image <- images]
         deviation = sqrt (sum (map (^ (2 :: Int)) tilts) / 400)
@@ -262,7 +262,7 @@ oneByOne = do
   it "rotation error: the angle has the stated deviation, within five standard errors" $ do
     let sensor = idealSensor {sensorRotationError = 3, sensorFullScale = 100}
         ramp = heightMap 0.5 (generate 200 200 (\x _ -> (fromIntegral x + 0.5) * 0.5))
-        images = scanned sensor ramp (replicate 200 (Pose 50 50 0))
+        images = scanned sensor ramp (replicate 200 (SensorPose 50 50 0))
         angle image =
           atan2
             (sum [at image x 0 - at image x 15 | x <- [0 .. 15]])
@@ -279,7 +279,7 @@ oneByOne = do
       `shouldBe` replicate 4 True
   where
     relief = heightMap 2 (generate 30 30 (\x y -> if (x + 2 * y) `mod` 5 == 0 then 1.5875 else 0))
-    poses = [Pose 20 20 0, Pose 25 20 0, Pose 30 20 0]
+    poses = [SensorPose 20 20 0, SensorPose 25 20 0, SensorPose 30 20 0]
 
 presets :: Spec
 presets = do

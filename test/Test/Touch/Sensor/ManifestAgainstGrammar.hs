@@ -48,15 +48,15 @@ spec = do
     map fst axesNamed
       `shouldBe` ["x,y", "x,-y", "-x,y", "-x,-y", "y,x", "y,-x", "-y,x", "-y,-x"]
     map (axesName . snd) axesNamed `shouldBe` map fst axesNamed
-    [alongAxes axes (Pose 3 5 7) | (_, axes) <- axesNamed]
-      `shouldBe` [ Pose 3 5 7,
-                   Pose 3 (-5) 7,
-                   Pose (-3) 5 7,
-                   Pose (-3) (-5) 7,
-                   Pose 5 3 7,
-                   Pose (-5) 3 7,
-                   Pose 5 (-3) 7,
-                   Pose (-5) (-3) 7
+    [alongAxes axes (SensorPose 3 5 7) | (_, axes) <- axesNamed]
+      `shouldBe` [ SensorPose 3 5 7,
+                   SensorPose 3 (-5) 7,
+                   SensorPose (-3) 5 7,
+                   SensorPose (-3) (-5) 7,
+                   SensorPose 5 3 7,
+                   SensorPose (-5) 3 7,
+                   SensorPose 5 (-3) 7,
+                   SensorPose (-5) (-3) 7
                  ]
 
 header :: ByteString
@@ -121,7 +121,7 @@ entryOf mark names i line = case fieldsOf mark line of
         Just name
           | null causes ->
             let rotation = if "rotation_deg" `elem` names then value "rotation_deg" else Just 0
-                pose = Pose <$> value "x_mm" <*> value "y_mm" <*> rotation
+                pose = SensorPose <$> value "x_mm" <*> value "y_mm" <*> rotation
              in Right (Entry name pose (value "force_n"))
         _ -> Left causes
 

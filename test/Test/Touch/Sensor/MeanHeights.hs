@@ -58,8 +58,10 @@ spec = do
 
 -- | The mean height under an element of a sensor of this size, as a share of full scale, from
 -- points of a fine grid: the definition, up to the grid's fineness.
-sampled :: (Int, Int) -> HeightMap -> Pose -> Int -> Int -> Double
-sampled (columns, rows) (HeightMap cell _ heights _) (Pose px py r) i j = sum hs / genericLength hs
+sampled :: (Int, Int) -> HeightMap -> SensorPose -> Int -> Int -> Double
+sampled (columns, rows) (HeightMap cell _ heights _) (SensorPose px py r) i j =
+  sum hs
+    / genericLength hs
   where
     fine = 40 :: Int
     hs =
@@ -108,7 +110,10 @@ forward = do
           seen =
             taxelPitch
               * taxelPitch
-              * V.sum (rasterValues (forwardImage sensor (heightMap cell heights) (Pose x y 0)))
+              * V.sum
+                ( rasterValues
+                    (forwardImage sensor (heightMap cell heights) (SensorPose x y 0))
+                )
        in counterexample (show (volume, seen)) (abs (volume - seen) < 1e-9)
   it "a turned sensor sees the turned image" $
     forAll genSize $ \size -> forAll (uncurry genRasterOf size) $ \heights ->
@@ -126,19 +131,19 @@ forward = do
     forwardImage
       idealSensor
       (heightMap taxelPitch (generate 16 16 (\x _ -> if x < 8 then 99 else -1)))
-      (Pose 12.7 12.7 0)
+      (SensorPose 12.7 12.7 0)
       `shouldBe` generate 16 16 (\x _ -> if x < 8 then 1 else 0)
   it "there is nothing to touch off the map" $
-    forwardImage idealSensor (heightMap 1 (constant 4 4 1)) (Pose (-99) 0 0)
+    forwardImage idealSensor (heightMap 1 (constant 4 4 1)) (SensorPose (-99) 0 0)
       `shouldBe` constant 16 16 0
   where
     -- The largest difference between the points of the two grids at borders of cells whose heights
     -- differ by up to 1.
     fineness pose = if poseRotation pose `elem` [0, 90, 180, 270] then 0.06 else 0.2
     -- In the middle of a relief of as many taxels.
-    middle (w, h) = Pose (taxelPitch * fromIntegral w / 2) (taxelPitch * fromIntegral h / 2)
+    middle (w, h) = SensorPose (taxelPitch * fromIntegral w / 2) (taxelPitch * fromIntegral h / 2)
     genNearPose =
-      Pose
+      SensorPose
         <$> choose (0, 20)
         <*> choose (0, 20)
         <*> oneof [elements [0, 90, 180, 270], choose (0, 360)]
@@ -153,7 +158,7 @@ errors = do
   it "noise has mean 0 and the stated deviation, within five standard errors" $ do
     let sensor = idealSensor {sensorNoise = 0.05}
         flat = heightMap 1 (constant 60 60 (0.5 * sensorFullScale sensor))
-        images = fst (scan sensor flat stay (replicate 100 (Pose 30 30 0)) (mkStdGen 5))
+        images = fst (scan sensor flat stay (replicate 100 (SensorPose 30 30 0)) (mkStdGen 5))
         deviations = V.concat [V.map (subtract 0.5) (rasterValues (frameImage f)) | f <- images]
         n = fromIntegral (V.length deviations)
         variance = V.sum (V.map (\d -> d * d) deviations) / n
@@ -162,7 +167,11 @@ errors = do
   it "values with noise are clipped to 0..1" $
     forAll arbitrary $ \seed ->
       let (seen, _) =
-            press standardSensor {sensorNoise = 2} (texture 1 20 20) (Pose 12 12 0) (mkStdGen seed)
+            press
+              standardSensor {sensorNoise = 2}
+              (texture 1 20 20)
+              (SensorPose 12 12 0)
+              (mkStdGen seed)
        in V.all (\v -> v >= 0 && v <= 1) (rasterValues seen)
   it "position errors have mean 0 and the stated deviation, within five standard errors" $ do
     -- On ramps rising by 1 mm of 100 a millimetre the mean of an image gives the sensor's true
@@ -175,7 +184,14 @@ errors = do
         places along =
           [ 100 * fromMaybe 0 (mean (frameImage f)) - 50
             | f <-
-                fst (scan sensor (ramp along) stay (replicate 400 (Pose 50 50 0)) (mkStdGen 11))
+                fst
+                  ( scan
+                      sensor
+                      (ramp along)
+                      stay
+                      (replicate 400 (SensorPose 50 50 0))
+                      (mkStdGen 11)
+                  )
           ]
         spread xs = sqrt (sum [x * x | x <- xs] / genericLength xs)
     let found =
@@ -185,21 +201,21 @@ errors = do
           ]
     found `shouldBe` [True, True]
   it "a frame has the nominal pose, in the robot's coordinates, and the sensor's force" $ do
-    let nominal = Pose 3 4 180
+    let nominal = SensorPose 3 4 180
         (frame, _) = probe standardSensor (texture 2 40 40) (Motion 180 60 60) nominal (mkStdGen 1)
     (framePose frame, frameForce frame) `shouldBe` (nominal, sensorForce standardSensor)
   it "without errors a frame shows the face where the motion puts the nominal pose" $
     forAll ((,,) <$> elements [0, 180] <*> choose (10, 40) <*> choose (10, 40)) $ \(r, x, y) ->
       let motion = Motion r x y
           relief = texture 3 40 40
-       in frameImage (fst (probe idealSensor relief motion (Pose 5 6 0) (mkStdGen 1)))
-            === forwardImage idealSensor relief (move motion (Pose 5 6 0))
+       in frameImage (fst (probe idealSensor relief motion (SensorPose 5 6 0) (mkStdGen 1)))
+            === forwardImage idealSensor relief (move motion (SensorPose 5 6 0))
   it "one seed gives the same frames, and a scan is its presses in turn" $
     property $ \seed ->
-      let poses = [Pose 15 15 0, Pose 20 15 0]
+      let poses = [SensorPose 15 15 0, SensorPose 20 15 0]
           relief = texture 4 30 30
           one = scan standardSensor relief stay poses (mkStdGen seed)
-          (a, g) = probe standardSensor relief stay (Pose 15 15 0) (mkStdGen seed)
-          (b, _) = probe standardSensor relief stay (Pose 20 15 0) g
+          (a, g) = probe standardSensor relief stay (SensorPose 15 15 0) (mkStdGen seed)
+          (b, _) = probe standardSensor relief stay (SensorPose 20 15 0) g
        in fst one === [a, b]
             .&&. fst one === fst (scan standardSensor relief stay poses (mkStdGen seed))

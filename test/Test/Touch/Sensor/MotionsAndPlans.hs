@@ -73,12 +73,12 @@ genMotion =
     <*> choose (-99, 99)
     <*> choose (-99, 99)
 
-genPose :: Gen Pose
-genPose = Pose <$> choose (-99, 99) <*> choose (-99, 99) <*> choose (0, 359.9)
+genPose :: Gen SensorPose
+genPose = SensorPose <$> choose (-99, 99) <*> choose (-99, 99) <*> choose (0, 359.9)
 
 -- | Equal up to rounding, also for angles around the full turn.
-same :: Pose -> Pose -> Property
-same a@(Pose x y r) b@(Pose x' y' r') =
+same :: SensorPose -> SensorPose -> Property
+same a@(SensorPose x y r) b@(SensorPose x' y' r') =
   counterexample
     (show (a, b))
     (abs (x - x') < 1e-9 && abs (y - y') < 1e-9 && (turn < 1e-9 || 360 - turn < 1e-9))
@@ -98,7 +98,7 @@ motions = do
   it "distances stay the same" $
     forAll ((,,) <$> genMotion <*> genPose <*> genPose) $ \(m, p, q) ->
       let distance (x, y) (x', y') = sqrt ((x - x') * (x - x') + (y - y') * (y - y'))
-          at (Pose x y _) = (x, y)
+          at (SensorPose x y _) = (x, y)
        in abs (distance (at p) (at q) - distance (movePoint m (at p)) (movePoint m (at q))) < 1e-9
   it "a quarter turn clockwise takes right to down, down to left, exactly" $ do
     movePoint (Motion 90 0 0) (1, 0) `shouldBe` (0, 1)
@@ -117,7 +117,7 @@ motions = do
         sign <- [-1, 1],
         shift <- [-720, -360, 0, 360, 719],
         let r = sign * 2 ^^ e + shift,
-        let r' = poseRotation (move (Motion r 0 0) (Pose 0 0 0)),
+        let r' = poseRotation (move (Motion r 0 0) (SensorPose 0 0 0)),
         let (x, y) = movePoint (Motion r 0 0) (1, 0),
         let (x', y') = (cos (r' * pi / 180), sin (r' * pi / 180)),
         not (r' >= 0 && r' < 360 && abs (x - x') < 1e-9 && abs (y - y') < 1e-9)
@@ -130,7 +130,7 @@ plans = do
   it "the evaluation's region has columns at 0, 8, 16, 24 and rows at 0, 8, 16, 24, 32, 36" $
     planScan 8 (0, 0) (40, 52)
       `shouldBe` Right
-        [ Pose (taxelPitch * (x + 8)) (taxelPitch * (y + 8)) 0
+        [ SensorPose (taxelPitch * (x + 8)) (taxelPitch * (y + 8)) 0
           | y <- [0, 8, 16, 24, 32, 36],
             x <- [0, 8, 16, 24]
         ]
@@ -173,19 +173,19 @@ manifests :: Spec
 manifests = do
   it "optional parts may be missing: forces, and the positions of calibration frames" $ do
     parseManifest "file,x_mm,y_mm,rotation_deg\na.pgm,1,2,0\n"
-      `shouldBe` Right [Entry "a.pgm" (Just (Pose 1 2 0)) Nothing]
+      `shouldBe` Right [Entry "a.pgm" (Just (SensorPose 1 2 0)) Nothing]
     parseManifest "file\na.pgm\nb.pgm\n"
       `shouldBe` Right [Entry "a.pgm" Nothing Nothing, Entry "b.pgm" Nothing Nothing]
     parseManifest (header <> "a.pgm,1,2,0,\n")
-      `shouldBe` Right [Entry "a.pgm" (Just (Pose 1 2 0)) Nothing]
+      `shouldBe` Right [Entry "a.pgm" (Just (SensorPose 1 2 0)) Nothing]
     parseManifest "file,x_mm,y_mm\na.pgm,1,2\n"
-      `shouldBe` Right [Entry "a.pgm" (Just (Pose 1 2 0)) Nothing]
+      `shouldBe` Right [Entry "a.pgm" (Just (SensorPose 1 2 0)) Nothing]
     for_ [["x_mm"], ["y_mm", "rotation_deg"], ["rotation_deg"]] $ \columns ->
       parseManifest (encodeUtf8 (Text.intercalate "," ("file" : columns)) <> "\na.pgm,1,2\n")
         `shouldBe` Left (WrongHeader ("file" : columns))
   it "semicolons also separate fields; the header may be in capitals and in any order" $ do
     parseManifest "Y_MM;X_MM; File ;ROTATION_DEG\r\n2;1;a,b.pgm;0\r\n"
-      `shouldBe` Right [Entry "a,b.pgm" (Just (Pose 1 2 0)) Nothing]
+      `shouldBe` Right [Entry "a,b.pgm" (Just (SensorPose 1 2 0)) Nothing]
     parseManifest "file;x_mm;y_mm;rotation_deg\na.pgm;1,5;2;0\n"
       `shouldBe` Left (BadNumber 2 "x_mm" "1,5")
     parseManifest "file,x_mm,y_mm,rotation_deg\na.pgm,1,5,2,0\n"
@@ -200,13 +200,13 @@ manifests = do
     forAll (listOf1 genEntry) $ \entries -> parseManifest (renderManifest entries) === Right entries
   it "reads the example of the design" $
     parseManifest "file,x_mm,y_mm,rotation_deg,force_n\nf0.pgm,12.7,-3.5,180,9.81\n"
-      `shouldBe` Right [Entry "f0.pgm" (Just (Pose 12.7 (-3.5) 180)) (Just 9.81)]
+      `shouldBe` Right [Entry "f0.pgm" (Just (SensorPose 12.7 (-3.5) 180)) (Just 9.81)]
   it "skips a byte order mark, carriage returns and blank lines" $
     parseManifest "\xef\xbb\xbf\&file,x_mm,y_mm,rotation_deg,force_n\r\n\r\na b.pgm,1,2,0,3\r\n\n"
-      `shouldBe` Right [Entry "a b.pgm" (Just (Pose 1 2 0)) (Just 3)]
+      `shouldBe` Right [Entry "a b.pgm" (Just (SensorPose 1 2 0)) (Just 3)]
   it "takes a quoted name with commas and quotes" $
     parseManifest (header <> "\"a,\"\"b\"\".pgm\",1,2,0,3")
-      `shouldBe` Right [Entry "a,\"b\".pgm" (Just (Pose 1 2 0)) (Just 3)]
+      `shouldBe` Right [Entry "a,\"b\".pgm" (Just (SensorPose 1 2 0)) (Just 3)]
   it "names the line, counting blank ones, and the field that is not a finite number" $ do
     parseManifest (header <> "a,1,2,0,3\n\nb,1,two,0,3\n")
       `shouldBe` Left (BadNumber 4 "y_mm" "two")
@@ -242,7 +242,7 @@ manifests = do
     genBytes = B.pack <$> listOf (frequency [(2, arbitrary), (1, elements (B.unpack "\",\n\r1a "))])
     genEntry =
       Entry <$> genName
-        <*> (Just <$> (Pose <$> finite <*> finite <*> finite))
+        <*> (Just <$> (SensorPose <$> finite <*> finite <*> finite))
         <*> oneof [Just <$> finite, pure Nothing]
     finite = arbitrary :: Gen Double
     genName = listOf1 (frequency [(5, choose ('a', 'z')), (1, elements " ,\"'.;/\233\8364#")])

@@ -39,7 +39,7 @@ angleSpec :: Spec
 angleSpec = do
   it "are kept from 0 up to 360 degrees; infinite ones stay" $
     for_ [0, 90, 359.5, 360, -0.5, 720.25, -1e-20, 1 / 0, -1 / 0] $ \r -> do
-      let told = poseRotation (move stay (Pose 1 2 r))
+      let told = poseRotation (move stay (SensorPose 1 2 r))
           back = motionRotation (inverse (Motion r 0 0))
           both = motionRotation (andThen (Motion r 0 0) stay)
       if isInfinite r
@@ -49,7 +49,7 @@ angleSpec = do
           let whole a = abs (a - 360 * fromIntegral (round (a / 360) :: Int)) < 1e-9
           map whole [told - r, both - r, back + r] `shouldBe` [True, True, True]
   it "stay NaN" $
-    map (isNaN . poseRotation . move stay . Pose 0 0) [0 / 0] `shouldBe` [True]
+    map (isNaN . poseRotation . move stay . SensorPose 0 0) [0 / 0] `shouldBe` [True]
 
 scaleSpec :: Spec
 scaleSpec = do
@@ -71,7 +71,7 @@ scaleSpec = do
                 ]
                 / 64
             wanted = generate 3 4 (\i j -> max 0 (min 1 (element i j / sensorFullScale sensor)))
-         in closeTo (forwardImage sensor (heightMap cell heights) (Pose x y turn)) wanted
+         in closeTo (forwardImage sensor (heightMap cell heights) (SensorPose x y turn)) wanted
   it "scales the tab's share on the face times its height, spread below the tabs" $
     forAll ((,) <$> elements [0, 30, 90] <*> elements [0, 0.7]) $ \(turn, depth) ->
       forAll ((,) <$> choose (6, 20) <*> choose (6, 20)) $ \(x, y) ->
@@ -84,16 +84,17 @@ scaleSpec = do
                   sensorExponent = 0.8
                 }
             heights = generate 14 12 (\u v -> fromIntegral ((u * 5 + v * 3) `mod` 7) / 2 - 1)
-            under = footing (sensorTaxelGrid sensor) 1.2 (heightMap 1.5 heights) (Pose x y turn)
+            under =
+              tabSupport (sensorTaxelGrid sensor) 1.2 (heightMap 1.5 heights) (SensorPose x y turn)
             share i j =
-              at (footingShare under) i j
-                * max 0 (min 1 (at (footingHeight under) i j / sensorFullScale sensor))
+              at (supportShare under) i j
+                * max 0 (min 1 (at (supportHeight under) i j / sensorFullScale sensor))
             felt = spreadForces 1.5875 depth (generate 5 4 share)
             wanted = mapRaster (\v -> max 0 (min 1 (max 0 v ** 0.8))) felt
-         in closeTo (forwardImage sensor (heightMap 1.5 heights) (Pose x y turn)) wanted
+         in closeTo (forwardImage sensor (heightMap 1.5 heights) (SensorPose x y turn)) wanted
   it "is never exceeded, however the reading comes about" $ do
     let steep = heightMap taxelPitch (constant 16 16 50)
-        here = Pose (8 * taxelPitch) (8 * taxelPitch) 0
+        here = SensorPose (8 * taxelPitch) (8 * taxelPitch) 0
         stiff =
           idealSensor
             { sensorStiffness = 0.19,
@@ -113,7 +114,7 @@ pressSpec = do
     forAll (choose (0, 10000)) $ \seed -> forAll (elements [0, 1.1]) $ \tab ->
       let sensor = idealSensor {sensorTiltSpread = 0.3, sensorTab = tab}
           flat = heightMap 1 (constant 100 100 0)
-          (image, _) = press sensor flat (Pose 50 50 0) (mkStdGen seed)
+          (image, _) = press sensor flat (SensorPose 50 50 0) (mkStdGen seed)
           value = at image
           touched =
             [ (x, y)
@@ -143,7 +144,7 @@ pressSpec = do
     forAll ((,,) <$> choose (0, 0.4) <*> elements [1, 0.7] <*> choose (0, 0.1)) $
       \(hysteresis, k, drift) ->
         forAll ((,) <$> choose (0, 0.02) <*> elements [0, 4, 8]) $ \(share, bits) ->
-          forAll (listOf1 (elements [Pose 50 50 0, Pose 999 50 0])) $ \poses ->
+          forAll (listOf1 (elements [SensorPose 50 50 0, SensorPose 999 50 0])) $ \poses ->
             let sensor =
                   idealSensor
                     { sensorColumns = 5,
@@ -175,15 +176,15 @@ pressSpec = do
     forAll ((,) <$> choose (-3, 3) <*> elements [0, 90, 15]) $ \(x, r) ->
       let sensor = idealSensor {sensorHysteresis = 0.3, sensorDrift = 0.1, sensorCrosstalk = 0.02}
           relief = texture 5 40 40
-          pose = Pose (20 + x) 30 r
+          pose = SensorPose (20 + x) 30 r
           alone = fst (press sensor relief pose (mkStdGen 3))
        in map frameImage (fst (scanWith sensor (flawless sensor) relief stay [pose] (mkStdGen 4)))
             === [alone]
   it "of a rigid sensor without noise are the conductance of the spread tab displacements" $
     forAll ((,) <$> choose (-3, 3) <*> elements [0, 90, 20]) $ \(x, r) ->
       let relief = texture 5 40 40
-          pose = Pose (30 + x) 28 r
-          under = footing (sensorTaxelGrid rigid) 1.2 relief pose
+          pose = SensorPose (30 + x) 28 r
+          under = tabSupport (sensorTaxelGrid rigid) 1.2 relief pose
           felt = mapRaster (0.19 *) (displacements 0.19 12 (0, 0) under)
           wanted =
             mapRaster (max 0 . min 1 . conductance 0.8 0.01 0.9) (spreadForces taxelPitch 0.7 felt)
@@ -195,7 +196,9 @@ pressSpec = do
         even' = heightMap 5 (constant 20 20 0)
         linear = idealSensor {sensorTab = 1.1, sensorStiffness = 0.19, sensorFullForce = 10}
         images sensor =
-          map frameImage (fst (scan sensor even' stay (replicate many (Pose 50 50 0)) (mkStdGen 2)))
+          map
+            frameImage
+            (fst (scan sensor even' stay (replicate many (SensorPose 50 50 0)) (mkStdGen 2)))
         forces = [10 * V.sum (rasterValues i) | i <- images linear {sensorForceSpread = 1}]
         tilted = images linear {sensorTiltSpread = 0.02}
         -- The distance of the outer elements' centres from the middle is 15 / 16 of half the
@@ -327,8 +330,8 @@ calibrationSpec = do
                 | (y, x) `elem` lit = level
                 | otherwise = if even k then 0.125 else 0.875
               place k
-                | upwards = Pose 0 (if k == 1 then far * taxelPitch else 0) 0
-                | otherwise = Pose (if k == 1 then far * taxelPitch else 0) 0 0
+                | upwards = SensorPose 0 (if k == 1 then far * taxelPitch else 0) 0
+                | otherwise = SensorPose (if k == 1 then far * taxelPitch else 0) 0 0
               frames =
                 [ Frame (place k) 0 (generate 4 4 (flip (shown k))) taxelPitch []
                   | k <- [1 .. count :: Int]
@@ -340,7 +343,7 @@ calibrationSpec = do
                   else frames
            in classify applies "stuck" (withoutStuck frames === wanted)
   it "changes nothing without stuck elements, not even readings above full scale" $ do
-    let frame k = Frame (Pose (20 * k) 0 0) 0 (generate 4 4 (felt k)) taxelPitch [(1, 1)]
+    let frame k = Frame (SensorPose (20 * k) 0 0) 0 (generate 4 4 (felt k)) taxelPitch [(1, 1)]
         felt k x y = if fromIntegral (x + y) == k then 1.5 else 0.25 :: Double
         frames = map frame [0 .. 6]
     withoutStuck frames `shouldBe` frames

@@ -134,7 +134,7 @@ drawing named = decodeDrawings (T.encodeUtf8 (T.unlines (concatMap one named)))
 -- | Drawings with one fault each: a row of 4 blocks, or of 8 taxels. Where whole blocks meet only
 -- at a corner, two flat blocks of one piece are separated as well; and a blank shape has nothing
 -- along its sides and is its own image.
-drawnFaults :: [([Kind], [String])]
+drawnFaults :: [([ShapeFault], [String])]
 drawnFaults =
   [ ([Side], ["...#", "#.##", "#.#.", "###.", "..##", "###."]),
     ( [Stroke],

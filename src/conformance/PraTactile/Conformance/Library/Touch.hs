@@ -20,7 +20,7 @@ import PraTactile.Image (Raster, fromRows, mapRaster, rasterHeight, rasterWidth)
 import PraTactile.Recognise.Features (Featured (..), Features (..), features)
 import qualified PraTactile.Registration as Stitch
 import PraTactile.Registration.Pair
-import PraTactile.Sensor.Frame (Frame (..), Pose (..), taxelPitch)
+import PraTactile.Sensor.Frame (Frame (..), SensorPose (..), taxelPitch)
 import PraTactile.Shape (Alphabet, ShapeError (UnreadableLine), alphabet, bitmap)
 
 -- | Registration by the better one of its methods.
@@ -124,7 +124,7 @@ stitched known search frames = do
     frame (Placed rows (x, y)) = do
       made <- image rows
       let centre side whole = taxelPitch * (fromInteger whole + fromIntegral (side - 1) / 2)
-          pose = Pose (centre (rasterWidth made) x) (centre (rasterHeight made) y) 0
+          pose = SensorPose (centre (rasterWidth made) x) (centre (rasterHeight made) y) 0
       pure (Frame pose 0 made taxelPitch [])
 
 -- | Segmentation at any angle.

@@ -15,7 +15,7 @@ where
 import qualified Data.Vector as Boxed
 import Data.Vector.Storable (Vector)
 import qualified Data.Vector.Storable as V
-import PraTactile.Registration.Neighbours (Neighbours (..))
+import PraTactile.Registration.Neighbours (OverlappingPair (..))
 import PraTactile.Registration.Numbers (mostReach)
 import PraTactile.Registration.Overlap
 import PraTactile.Registration.Settings
@@ -38,8 +38,8 @@ pairReach settings = max 1 (min mostReach (ceiling (2 * sqrt 2 * snd (sigmasFor 
 
 -- | Compares a pair, given the grid points nearest to the nominal places of all frames.
 -- Displacements beyond 'pairReach' are ignored.
-pairOf :: Registration -> Relief -> Boxed.Vector (Int, Int) -> Neighbours -> Pair
-pairOf settings relief points (Neighbours k l step _) =
+pairOf :: Registration -> ReliefModel -> Boxed.Vector (Int, Int) -> OverlappingPair -> Pair
+pairOf settings relief points (OverlappingPair k l step _) =
   Pair k l most (V.map (\t -> realToFrac (exp (t - most))) logs)
   where
     most = V.maximum logs

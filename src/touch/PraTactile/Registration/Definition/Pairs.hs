@@ -6,12 +6,12 @@
 module PraTactile.Registration.Definition.Pairs
   ( -- * Frames
     cosines,
-    Relief (..),
+    ReliefProcess (..),
     reliefOf,
     whiteNoise,
 
     -- * Pairs
-    Known,
+    PlacePosterior,
     blindly,
     pairEvidence,
     byCorrelation,
@@ -40,7 +40,7 @@ cosines image =
         * cos (pi * fromIntegral (k * (2 * t + 1)) / fromIntegral (2 * n))
 
 -- | A process of relief: smoothness and range in taxels, and the noise's share.
-data Relief = Relief
+data ReliefProcess = ReliefProcess
   { reliefShape :: !(Double, Double),
     reliefNoise :: !Double,
     -- | The relief's variance in each frame.
@@ -65,11 +65,11 @@ spectrumOf (nu, range) (w, h) = [at (wave w u) (wave h v) / average | (u, v) <- 
     wave n k = pi * fromIntegral k / fromIntegral n
 
 -- | The likeliest process of the frames, each frame with its own likeliest scale.
-reliefOf :: [Raster] -> Relief
+reliefOf :: [Raster] -> ReliefProcess
 reliefOf images = maximumBy (comparing (sum . reliefLogs)) (reverse tried)
   where
     tried =
-      [ Relief shape noise scales logs
+      [ ReliefProcess shape noise scales logs
         | shape <- [(nu, range) | nu <- [1.5, 2.5, 4], range <- [1, 1.5, 2.2, 3.3, 5]],
           let relief = [zip coefficients (spectrumOf shape size) | (size, coefficients) <- seen],
           noise <- [1e-6, 3e-5, 5e-4, 0.003, 0.01, 0.03, 0.07, 0.15, 0.3, 0.6, 1.2, 2.5, 5],
@@ -102,11 +102,11 @@ normalPair v c (a, b) = normal (v + c) ((a + b) / sqrt 2) + normal (v - c) ((a -
 
 -- | Posterior of the place of the second frame's upper left pixel in the first: whole places and
 -- their probabilities.
-type Known = [((Int, Int), Double)]
+type PlacePosterior = [((Int, Int), Double)]
 
 -- | The posterior over whole places within the search around a nominal step, given the
 -- log-likelihood of each place.
-knownBy :: (Double, Double) -> Double -> ((Int, Int) -> Double) -> Known
+knownBy :: (Double, Double) -> Double -> ((Int, Int) -> Double) -> PlacePosterior
 knownBy (x, y) search told = zip places (shares [prior d + told d | d <- places])
   where
     places = [(i, j) | j <- reached y, i <- reached x]
@@ -131,7 +131,7 @@ pixels :: Raster -> Double
 pixels image = fromIntegral (rasterWidth image * rasterHeight image)
 
 -- | The posterior by blind registration, given the nominal step and the search.
-blindly :: (Double, Double) -> Double -> Raster -> Raster -> Known
+blindly :: (Double, Double) -> Double -> Raster -> Raster -> PlacePosterior
 blindly step search a b = knownBy step search (\d -> log (1 + exp (overlapLog step a b d)))
 
 -- | Log evidence of two frames that overlap at a nominal step. Sigma is the standard deviation of
@@ -173,7 +173,7 @@ overlapLog (x, y) a b d = case brought [a, b] of
             else weight * (0.8 * likelier noise levelled - g * g / 0.32)
   _ -> 0
   where
-    Relief shape noise scales _ = reliefOf [a, b]
+    ReliefProcess shape noise scales _ = reliefOf [a, b]
     brought = zipWith (\scale -> mapRaster (\z -> if scale > 0 then z / sqrt scale else 0)) scales
     nominal = max 1 (pixels (fst (inCommon a b (round x, round y))))
     sinc t = if t == 0 then 1 else sin t / t :: Double
@@ -195,7 +195,7 @@ likelier noise seen =
         [sum [normal (kappa * s + noise) (which z) | Coefficient z s _ <- seen] | kappa <- heights]
 
 -- | The posterior by correlation, given the nominal step and the search.
-byCorrelation :: (Double, Double) -> Double -> Raster -> Raster -> Known
+byCorrelation :: (Double, Double) -> Double -> Raster -> Raster -> PlacePosterior
 byCorrelation step@(x, y) search a b = knownBy step search (told . inCommon a b)
   where
     most = pixels (fst (inCommon a b (round x, round y)))

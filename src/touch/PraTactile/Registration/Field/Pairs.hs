@@ -18,7 +18,7 @@ module PraTactile.Registration.Field.Pairs
     likeliest,
 
     -- * Moments
-    Moments (..),
+    ShiftMoments (..),
     momentsOf,
     squaresAbout,
   )
@@ -46,24 +46,30 @@ type Masses = Vector Double
 
 -- | Sums over frames: their number, the expected displacements along both axes (taxels), and the
 -- expected squares.
-data Moments = Moments !Double !Double !Double !Double
+data ShiftMoments = ShiftMoments !Double !Double !Double !Double
 
-instance Semigroup Moments where
-  Moments n x y s <> Moments n' x' y' s' = Moments (n + n') (x + x') (y + y') (s + s')
+instance Semigroup ShiftMoments where
+  ShiftMoments n x y s <> ShiftMoments n' x' y' s' =
+    ShiftMoments
+      (n + n')
+      (x + x')
+      (y + y')
+      (s + s')
 
-instance Monoid Moments where
-  mempty = Moments 0 0 0 0
+instance Monoid ShiftMoments where
+  mempty = ShiftMoments 0 0 0 0
 
-without :: Moments -> Moments -> Moments
-without (Moments n x y s) (Moments n' x' y' s') = Moments (n - n') (x - x') (y - y') (s - s')
+without :: ShiftMoments -> ShiftMoments -> ShiftMoments
+without (ShiftMoments n x y s) (ShiftMoments n' x' y' s') =
+  ShiftMoments (n - n') (x - x') (y - y') (s - s')
 
 -- | The moments of a frame, given its nominal place's offset from the grid point.
-momentsOf :: Grid -> Taxels -> Masses -> Moments
-momentsOf grid beyond = V.ifoldl' with (Moments 1 0 0 0)
+momentsOf :: Grid -> Taxels -> Masses -> ShiftMoments
+momentsOf grid beyond = V.ifoldl' with (ShiftMoments 1 0 0 0)
   where
-    with (Moments n x y s) i m =
+    with (ShiftMoments n x y s) i m =
       let (px, py) = fromNominal grid beyond i
-       in Moments n (x + m * px) (y + m * py) (s + m * (px * px + py * py))
+       in ShiftMoments n (x + m * px) (y + m * py) (s + m * (px * px + py * py))
 
 -- | The displacement from the nominal place, by index on the grid.
 fromNominal :: Grid -> Taxels -> Int -> Taxels
@@ -84,14 +90,14 @@ onPoints :: Grid -> Masses -> [((Int, Int), Double)]
 onPoints grid masses = [(shiftAt grid i, m) | (i, m) <- zip [0 ..] (V.toList masses), m > 1e-9]
 
 -- | The statistics of sigma, with squares about the mean, which is free.
-squaresAbout :: Moments -> Squares
-squaresAbout (Moments n x y s)
+squaresAbout :: ShiftMoments -> Squares
+squaresAbout (ShiftMoments n x y s)
   | n < 1 = mempty
   | otherwise = Squares (n - 1) (max 0 (s - (x * x + y * y) / n))
 
 -- | The log prior of a displacement from the nominal place, given the other frames' moments.
-priorLog :: Grid -> Moments -> Taxels -> Double
-priorLog grid others@(Moments m sx sy _) = \(x, y) ->
+priorLog :: Grid -> ShiftMoments -> Taxels -> Double
+priorLog grid others@(ShiftMoments m sx sy _) = \(x, y) ->
   prior (counting * (squared (x - mx) + squared (y - my)))
   where
     prior = displacementLog grid (squaresAbout others)
@@ -122,7 +128,7 @@ pairwiseField grid rests wide pairs =
       where
         others = [g | (g, _, _) <- around Boxed.! k]
         starts = not (null others) && all (`IntSet.notMember` before) others
-    update :: (IntMap Masses, Moments) -> Int -> (IntMap Masses, Moments)
+    update :: (IntMap Masses, ShiftMoments) -> Int -> (IntMap Masses, ShiftMoments)
     update (now, total) k = (IntMap.insert k field now, others <> moments k field)
       where
         old = IntMap.lookup k now

@@ -27,7 +27,7 @@ import PraTactile.Registration.Field
 import PraTactile.Registration.Lattice.Likelihood (Likelihood (..))
 import PraTactile.Registration.Lattice.Places
 import PraTactile.Registration.Lattice.Symbols (symbolsClasses)
-import PraTactile.Registration.Lattice.Template (Templates (..))
+import PraTactile.Registration.Lattice.Template (LatticeTemplates (..))
 import PraTactile.Registration.Loops (dotWithin, tabulate)
 import PraTactile.Registration.Numbers (unlikely)
 

@@ -63,7 +63,7 @@ data Fit = Fit
 
 -- | The likelihood of a frame of the tables' size, over all phases. A frame without variation is
 -- next to uninformative.
-likelihood :: Templates -> Touched -> Likelihood
+likelihood :: LatticeTemplates -> Touched -> Likelihood
 likelihood tables = fitLikelihood . fitOf tables
 
 -- | A frame and the weights of its taxels, 0 to 1; 'Nothing' for weights of 1.
@@ -75,7 +75,7 @@ whole image = (image, Nothing)
 
 -- | Fits theta by four steps at whole taxels, all but the first for likely phases only. One step at
 -- all places follows, for the phases around those that are likely by that theta.
-fitOf :: Templates -> Touched -> Fit
+fitOf :: LatticeTemplates -> Touched -> Fit
 fitOf tables (image, shares) =
   Fit
     (logDensity coarse)
@@ -87,13 +87,13 @@ fitOf tables (image, shares) =
     values = rasterValues image
     (n, average, deviation) = standardOf (image, shares)
     feltAt given places =
-      Felt
+      FrameSums
         ( areaSumsGiven
-            (feltReadings <$> given)
+            (sumsReadings <$> given)
             places
             (maybe id (orElse . zipRaster (*)) shares standard)
         )
-        (areaSumsGiven (given >>= feltShares) places <$> shares)
+        (areaSumsGiven (given >>= sumsWeights) places <$> shares)
         n
     orElse f = either (const standard) id . f
     standard = mapRaster (\v -> if deviation > 1e-9 then (v - average) / deviation else 0) image
@@ -129,7 +129,7 @@ likelyPhases given = V.toList (V.findIndices (> V.maximum phases - negligible) p
     phases = phaseLogs given
 
 -- | The phases of finer tables that are less than a taxel from the given phases of coarser ones.
-finePhases :: Templates -> Templates -> [Int] -> [Int]
+finePhases :: LatticeTemplates -> LatticeTemplates -> [Int] -> [Int]
 finePhases coarse fine = IntSet.toList . IntSet.fromList . concatMap around
   where
     places = placesFineness . templatePlaces
@@ -169,7 +169,7 @@ data Fits = Fits
   { -- | Degrees clockwise from the frames' axes.
     fitsAngle :: !Double,
     -- | The templates by the width and height of frames.
-    fitsTables :: (Int, Int) -> Templates,
+    fitsTables :: (Int, Int) -> LatticeTemplates,
     -- | In the order of the frames.
     fitsFrames :: [Fit]
   }

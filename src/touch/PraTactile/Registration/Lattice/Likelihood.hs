@@ -38,7 +38,7 @@ module PraTactile.Registration.Lattice.Likelihood
 
     -- * What theta is found from
     Statistics (..),
-    Felt (..),
+    FrameSums (..),
     allPhases,
     atPhases,
     somePhases,
@@ -57,7 +57,7 @@ import PraTactile.Registration.Numbers (leastGain, leastVariance, leastWeight, n
 
 -- | The likelihood of one frame.
 data Likelihood = Likelihood
-  { likelihoodTables :: !Templates,
+  { likelihoodTables :: !LatticeTemplates,
     likelihoodTheta :: !Theta,
     -- | The position of a cell in 'cellLogs', from its 'cellIndex', if any phase that it belongs to
     -- was evaluated.
@@ -79,19 +79,19 @@ data Likelihood = Likelihood
 
 -- | The data of the steps: the tables, some phases with the positions of their cells, the position
 -- of a cell by its 'cellIndex', the moments by position, and N, the total weight.
-data Statistics = Statistics !Templates Phases (Int -> Int) Moments !Double
+data Statistics = Statistics !LatticeTemplates Phases (Int -> Int) TemplateSums !Double
 
 -- | A frame as it is compared with templates: 'areaSums' of its weighted readings; 'areaSums' of
 -- the weights, unless all are 1; and the total weight.
-data Felt = Felt
-  { feltReadings :: Vector Double,
-    feltShares :: Maybe (Vector Double),
-    feltCount :: !Double
+data FrameSums = FrameSums
+  { sumsReadings :: Vector Double,
+    sumsWeights :: Maybe (Vector Double),
+    sumsTotal :: !Double
   }
 
 -- | The statistics of all phases of a frame.
-allPhases :: Templates -> Felt -> Statistics
-allPhases tables (Felt areas shares n) =
+allPhases :: LatticeTemplates -> FrameSums -> Statistics
+allPhases tables (FrameSums areas shares n) =
   Statistics
     tables
     (templatePhases tables)
@@ -100,17 +100,17 @@ allPhases tables (Felt areas shares n) =
         id
         (weighed . correlationsOf tables)
         shares
-        (Moments (correlationsOf tables areas) (templateSums tables) (templateSquares tables))
+        (TemplateSums (correlationsOf tables areas) (templateSums tables) (templateSquares tables))
     )
     n
 
 -- | Restricts the statistics of all phases to some of them.
 atPhases :: Statistics -> [Int] -> Statistics
-atPhases statistics@(Statistics tables _ _ (Moments products sums squares) n) phases
+atPhases statistics@(Statistics tables _ _ (TemplateSums products sums squares) n) phases
   | many tables phases = statistics
   | otherwise = among tables phases momentsOf n
   where
-    momentsOf cells = Moments (at cells products) (at cells sums) (at cells squares)
+    momentsOf cells = TemplateSums (at cells products) (at cells sums) (at cells squares)
     count = symbolsClasses (templateSymbols tables)
     -- Note [Bounds of cells]
     at cells numbers =
@@ -118,8 +118,8 @@ atPhases statistics@(Statistics tables _ _ (Moments products sums squares) n) ph
         let !start = V.unsafeIndex cells c * count in \k -> V.unsafeIndex numbers (start + k)
 
 -- | The statistics of some phases, from the frame, without evaluating all.
-somePhases :: Templates -> Felt -> [Int] -> Statistics
-somePhases tables felt@(Felt areas shares n) phases
+somePhases :: LatticeTemplates -> FrameSums -> [Int] -> Statistics
+somePhases tables felt@(FrameSums areas shares n) phases
   | many tables phases = allPhases tables felt
   | otherwise = among tables phases momentsOf n
   where
@@ -128,7 +128,7 @@ somePhases tables felt@(Felt areas shares n) phases
 
 -- | The statistics of some phases, given a function for the moments of cells, which are given by
 -- 'cellIndex'.
-among :: Templates -> [Int] -> (Vector Int -> Moments) -> Double -> Statistics
+among :: LatticeTemplates -> [Int] -> (Vector Int -> TemplateSums) -> Double -> Statistics
 among tables phases momentsOf =
   Statistics
     tables
@@ -142,12 +142,12 @@ among tables phases momentsOf =
 
 -- | Whether to evaluate all phases at once: when more than a quarter are wanted, or none
 -- (log-likelihoods are NaN).
-many :: Templates -> [Int] -> Bool
+many :: LatticeTemplates -> [Int] -> Bool
 many tables phases = null phases || 4 * length phases > phaseTotal (templatePlaces tables)
 
 -- | All log-likelihoods at a theta.
 eStep :: Statistics -> Theta -> Likelihood
-eStep (Statistics tables lattices at (Moments products sums squares) n) theta =
+eStep (Statistics tables lattices at (TemplateSums products sums squares) n) theta =
   Likelihood tables theta at classes cells phases (V.maxIndex phases) total
   where
     Theta gain offset variance = theta
@@ -214,7 +214,7 @@ mStep :: Statistics -> Likelihood -> Theta
 mStep (Statistics tables lattices _ moments n) given = Theta gain' offset' variance'
   where
     Theta gain offset _ = likelihoodTheta given
-    !(Moments products sums squares) = moments
+    !(TemplateSums products sums squares) = moments
     !count = symbolsClasses (templateSymbols tables)
     !share = classPrior count
     !ofCells = cellLogs given

@@ -7,7 +7,7 @@ module PraTactile.Registration.Lattice.Places
     Places (..),
     placesAt,
     cellIndex,
-    Axes,
+    PlaceAxes,
     axesOf,
     onFrame,
 
@@ -83,18 +83,19 @@ cellIndex places orientation y x = (orientation * rows + y) * columns + x
 
 -- | Maps places to the frame: the first place along the axes, places per taxel, and the cosine and
 -- the sine of the axes' angle.
-data Axes = Axes !Double !Double !Double !Double !Double
+data PlaceAxes = PlaceAxes !Double !Double !Double !Double !Double
 
 -- | The axes of some places.
-axesOf :: Places -> Axes
-axesOf places = Axes (fromIntegral x) (fromIntegral y) (fromIntegral (placesFineness places)) c s
+axesOf :: Places -> PlaceAxes
+axesOf places =
+  PlaceAxes (fromIntegral x) (fromIntegral y) (fromIntegral (placesFineness places)) c s
   where
     (x, y) = placesFirst places
     (c, s) = cosineSine (placesAngle places)
 
 -- | The place on the frame, taxels, of a column and a row of places.
-onFrame :: Axes -> Int -> Int -> (Double, Double)
-onFrame (Axes firstX firstY q c s) column row = (c * x - s * y, s * x + c * y)
+onFrame :: PlaceAxes -> Int -> Int -> (Double, Double)
+onFrame (PlaceAxes firstX firstY q c s) column row = (c * x - s * y, s * x + c * y)
   where
     x = firstX + fromIntegral column / q
     y = firstY + fromIntegral row / q

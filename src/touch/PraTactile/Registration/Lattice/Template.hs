@@ -10,7 +10,7 @@
 -- turned from the frame's, places turn with them; the blur, nearly the same in all directions, does
 -- not.
 module PraTactile.Registration.Lattice.Template
-  ( Templates (..),
+  ( LatticeTemplates (..),
     Outline,
     templates,
     LatticeTables,
@@ -21,7 +21,7 @@ module PraTactile.Registration.Lattice.Template
     -- * Frames held against them
     correlations,
     correlationsOf,
-    Moments (..),
+    TemplateSums (..),
     momentsAt,
     productsAt,
     weighed,
@@ -44,7 +44,7 @@ import PraTactile.Shape (Alphabet)
 
 -- | An alphabet's templates, upright and half turned, at all places of frames of one size, along
 -- axes that are turned from the frames'. Each table is computed on first use.
-data Templates = Templates
+data LatticeTemplates = LatticeTemplates
   { templatePlaces :: !Places,
     templateSymbols :: !Symbols,
     -- | The shape of each orientation and class.
@@ -60,7 +60,7 @@ data Templates = Templates
     -- | All phases of the lattice.
     templatePhases :: Phases,
     -- | The templates at whole taxels only; 'Nothing' if these are.
-    templateCoarse :: Maybe Templates
+    templateCoarse :: Maybe LatticeTemplates
   }
 
 -- | The corners of a shape ('symbolsCorners'): their offsets in 'areaSums' from the shape's place,
@@ -68,26 +68,26 @@ data Templates = Templates
 data Outline = Outline !(Vector Int) !(Vector Double)
 
 -- | The templates at whole taxels.
-coarser :: Templates -> Templates
+coarser :: LatticeTemplates -> LatticeTemplates
 coarser fine = fromMaybe fine (templateCoarse fine)
 
 -- | The templates of an alphabet at an angle (degrees clockwise), for frames of the given width and
 -- height.
-templates :: Alphabet -> Double -> Int -> Int -> Templates
+templates :: Alphabet -> Double -> Int -> Int -> LatticeTemplates
 templates = templatesOf . symbolsOf
 
-templatesOf :: Symbols -> Double -> Int -> Int -> Templates
+templatesOf :: Symbols -> Double -> Int -> Int -> LatticeTemplates
 templatesOf symbols angle w h =
   (tabled symbols (placesAt angle w h placesPerTaxel))
     { templateCoarse = Just (tabled symbols (placesAt angle w h 1))
     }
 
 -- | The templates for the given places, without coarser ones.
-tabled :: Symbols -> Places -> Templates
+tabled :: Symbols -> Places -> LatticeTemplates
 tabled symbols places = tables
   where
     tables =
-      Templates
+      LatticeTemplates
         { templatePlaces = places,
           templateSymbols = symbols,
           templateOutlines = Boxed.fromList (map outline (symbolsCorners symbols)),
@@ -108,7 +108,7 @@ tabled symbols places = tables
 
 -- | The templates of an alphabet for any angle and frame size. Those for upright frames of the
 -- sensor's size are computed once, on first use.
-data LatticeTables = LatticeTables Symbols Templates
+data LatticeTables = LatticeTables Symbols LatticeTemplates
 
 -- | Prepares an alphabet's tables. Callers who stitch repeatedly should keep them.
 latticeTables :: Alphabet -> LatticeTables
@@ -118,18 +118,18 @@ latticeTables alphabet =
     symbols = symbolsOf alphabet
 
 -- | The templates at an angle (degrees clockwise), for frames of the given width and height.
-tablesAt :: LatticeTables -> Double -> (Int, Int) -> Templates
+tablesAt :: LatticeTables -> Double -> (Int, Int) -> LatticeTemplates
 tablesAt (LatticeTables symbols usual) angle (w, h)
   | angle == 0 && w == sensorSide && h == sensorSide = usual
   | otherwise = templatesOf symbols angle w h
 
 -- | The correlation of an image with each template, by 'cellIndex' and class. The image has the
 -- size that the tables are for.
-correlations :: Templates -> Raster -> Vector Double
+correlations :: LatticeTemplates -> Raster -> Vector Double
 correlations tables = correlationsOf tables . areaSums (templatePlaces tables)
 
 -- | The correlations with each template, from the frame's 'areaSums'.
-correlationsOf :: Templates -> Vector Double -> Vector Double
+correlationsOf :: LatticeTemplates -> Vector Double -> Vector Double
 correlationsOf tables !areas = V.create $ do
   sums <- M.unsafeNew (2 * rows * columns * count)
   let orientation !o
@@ -183,7 +183,7 @@ correlationsOf tables !areas = V.create $ do
    wider. -}
 
 -- | The sum over the frame of the squares of each template of some cells, by 'cellIndex'.
-squaresOf :: Templates -> Vector Int -> Vector Double
+squaresOf :: LatticeTemplates -> Vector Int -> Vector Double
 squaresOf tables cells = V.create $ do
   sums <- M.unsafeNew (count * V.length cells)
   let write = writeSquares (templateSymbols tables) places (templateCover tables) sums
@@ -200,29 +200,29 @@ squaresOf tables cells = V.create $ do
 
 -- | For some cells and all classes: the correlations with a frame, the sums of the templates, and
 -- the sums of their squares.
-data Moments = Moments
+data TemplateSums = TemplateSums
   { momentsProducts :: !(Vector Double),
     momentsSums :: !(Vector Double),
     momentsSquares :: !(Vector Double)
   }
 
 -- | The moments of a few cells, by 'cellIndex', from a frame's 'areaSums'.
-momentsAt :: Templates -> Vector Double -> Vector Int -> Moments
+momentsAt :: LatticeTemplates -> Vector Double -> Vector Int -> TemplateSums
 momentsAt tables areas cells =
-  Moments
+  TemplateSums
     (productsAt tables areas cells)
     (productsAt tables (templateAreas tables) cells)
     (squaresOf tables cells)
 
 -- | The correlations of a few cells, by 'cellIndex', from a frame's 'areaSums'.
-productsAt :: Templates -> Vector Double -> Vector Int -> Vector Double
+productsAt :: LatticeTemplates -> Vector Double -> Vector Int -> Vector Double
 productsAt tables areas cells =
   tabulate (symbolsClasses (templateSymbols tables)) (V.length cells) $ \c ->
     placeOf tables (V.unsafeIndex cells c) (outlinedAt tables areas)
 
 -- | The correlation of one template, given 'areaSums', its orientation, row and column of places,
 -- and class.
-outlinedAt :: Templates -> Vector Double -> Int -> Int -> Int -> Int -> Double
+outlinedAt :: LatticeTemplates -> Vector Double -> Int -> Int -> Int -> Int -> Double
 outlinedAt tables !areas !o !y !x !k = go 0 0
   where
     -- Note [Bounds of outlines]
@@ -240,7 +240,7 @@ outlinedAt tables !areas !o !y !x !k = go 0 0
 
 -- | Applies a function to the orientation, the row and the column of a cell that is given by
 -- 'cellIndex'.
-placeOf :: Templates -> Int -> (Int -> Int -> Int -> a) -> a
+placeOf :: LatticeTemplates -> Int -> (Int -> Int -> Int -> a) -> a
 placeOf tables cell made = made o y x
   where
     (columns, rows) = placesGrid (templatePlaces tables)
@@ -248,10 +248,10 @@ placeOf tables cell made = made o y x
     (!o, !y) = row `quotRem` rows
 {-# INLINE placeOf #-}
 
--- | Moments by weight, given the templates' sums by weight. The correlations must be by weight
+-- | Sums by weight, given the templates' sums by weight. The correlations must be by weight
 -- already; the sums of squares shrink by the factor by which the sums do.
-weighed :: Vector Double -> Moments -> Moments
-weighed shares (Moments products sums squares) =
-  Moments products shares (V.zipWith3 less shares sums squares)
+weighed :: Vector Double -> TemplateSums -> TemplateSums
+weighed shares (TemplateSums products sums squares) =
+  TemplateSums products shares (V.zipWith3 less shares sums squares)
   where
     less w s q = if s > 1e-6 then q * w / s else q

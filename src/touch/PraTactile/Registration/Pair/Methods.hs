@@ -24,7 +24,7 @@ import PraTactile.Registration.Overlap
 import PraTactile.Registration.Posterior
 
 -- | The posterior by the lattice under both frames.
-latticePosterior :: Taxels -> Double -> Likelihood -> Likelihood -> Posterior
+latticePosterior :: Taxels -> Double -> Likelihood -> Likelihood -> GridPosterior
 latticePosterior step search a b =
   posterior (from nx, from ny) (inTaxels grid 1) (side, side) $
     V.replicate (side * side) (-1 / 0)
@@ -39,14 +39,14 @@ latticePosterior step search a b =
     from n = inTaxels grid (fromIntegral (n - reach))
 
 -- | The posterior by the overlap, whatever it shows: of one relief or of two.
-blindPosterior :: Relief -> Taxels -> Double -> Posterior
+blindPosterior :: ReliefModel -> Taxels -> Double -> GridPosterior
 blindPosterior relief step search = overWhole step search $ \grid ->
   V.map (\l -> logSum [0, l]) (overlapLogs relief (0, 1) step grid)
 
 -- | The posterior by the paper's zero-mean normalised cross-correlation ('logLikelihood'). Each
 -- pixel counts for 'independent' pairs of values, because neighbouring pixels resemble each other.
 -- An overlap counts no more than the nominal one.
-correlationPosterior :: Taxels -> Double -> Raster -> Raster -> Posterior
+correlationPosterior :: Taxels -> Double -> Raster -> Raster -> GridPosterior
 correlationPosterior step search a b = overWhole step search $ \grid ->
   V.fromList
     [correlated (overlapAt there b (fromIntegral x) (fromIntegral y)) | (x, y) <- allOf grid]
@@ -57,7 +57,7 @@ correlationPosterior step search a b = overWhole step search $ \grid ->
       logLikelihood 0 overlap {overlapWeight = independent * min most (overlapWeight overlap)}
 
 -- | The posterior over whole displacements, from their prior and the given log-likelihoods.
-overWhole :: Taxels -> Double -> (Displacements -> V.Vector Double) -> Posterior
+overWhole :: Taxels -> Double -> (Displacements -> V.Vector Double) -> GridPosterior
 overWhole step search said =
   posterior (fromIntegral x0, fromIntegral y0) 1 size (V.zipWith (+) priors (said grid))
   where

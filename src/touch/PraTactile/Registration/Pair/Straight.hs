@@ -19,12 +19,12 @@ import PraTactile.Registration.Posterior
 -- | Replaces the posterior along a direction of constant relief by the prior, given the nominal
 -- displacement and the search around it in taxels. Without such a direction the posterior stays.
 -- The grid is of whole taxels.
-alongStraight :: Taxels -> Double -> (Raster, Raster) -> Posterior -> Posterior
+alongStraight :: Taxels -> Double -> (Raster, Raster) -> GridPosterior -> GridPosterior
 alongStraight step search (a, b) found = case straightness best a b of
   Just direction -> posterior origin 1 size (V.generate (columns * rows) (along direction))
   Nothing -> found
   where
-    Posterior origin@(ox, oy) _ size@(columns, rows) masses = found
+    GridPosterior origin@(ox, oy) _ size@(columns, rows) masses = found
     best =
       let (row, column) = V.maxIndex masses `quotRem` columns
        in (round ox + column, round oy + row)
