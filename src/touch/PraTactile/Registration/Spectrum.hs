@@ -1,8 +1,9 @@
 {-# OPTIONS_HADDOCK hide #-}
 
 -- | Relief as a stationary normal process plus white noise. The discrete cosine transform makes its
--- coefficients nearly independent. This module finds the likeliest process of frames, and the
--- likelihood ratio of one relief to two for a pair of patches.
+-- coefficients nearly independent. This module finds the likeliest process of frames. For a pair of
+-- patches it tells how much likelier they are if both show the same relief than if each shows its
+-- own: the log-likelihood ratio of one relief to two.
 --
 -- A coefficient of frequency u across and v down (not both 0) is normal, of variance s (S + n),
 -- independent of the others. S is a spectrum of Matern's family (Stein, Interpolation of Spatial
@@ -12,7 +13,7 @@
 -- > S ~ (1 + r^2 ((pi u / width)^2 + (pi v / height)^2) / (2 nu - 1)) ^ -nu
 --
 -- A and B are the coefficients of the overlap in two frames, divided by the roots of the frames'
--- scales. For relief that is kappa times as high there, p = kappa S:
+-- scales. For relief whose variance there is kappa times as large, p = kappa S:
 --
 -- > one relief:   A and B have variance p + n, and covariance C p
 -- > two reliefs:  covariance 0, each with a kappa of its own
@@ -21,7 +22,8 @@
 -- > R = ratio of the densities of A e^(g/2) and B e^(-g/2) by one relief and by two,
 -- >     each the mean over kappa and C
 --
--- where c is the mean cosine of a coefficient's phase over displacements within half a taxel.
+-- where c is the mean of cos (pi u dx / width) cos (pi v dy / height) over displacements dx and
+-- dy of at most half a taxel.
 module PraTactile.Registration.Spectrum
   ( -- * Processes
     Spectra,
@@ -74,11 +76,12 @@ spectra w h =
       let variances = V.map (+ noise) alone
        in (V.map (1 /) variances, V.sum (V.map log variances))
 
--- | A frame's coefficients.
+-- | A frame's coefficients by 'cosineTransform': row by row of v, at most 'highest' to a side,
+-- without the mean's. No side of the frame may be longer than the longer side of the tables.
 coefficientsOf :: Spectra -> Raster -> Vector Double
 coefficientsOf = cosineTransform . spectraCosines
 
--- | Smoothness and range (taxels) of the processes that are tried.
+-- | The shapes of spectrum that are tried: smoothness nu and range r (taxels).
 shapesOfSpectrum :: [(Double, Double)]
 shapesOfSpectrum = [(nu, range) | nu <- [1.5, 2.5, 4], range <- [1, 1.5, 2.2, 3.3, 5]]
 
@@ -90,8 +93,7 @@ noiseCount = length noiseShares
 noiseShares :: [Double]
 noiseShares = [1e-6, 3e-5, 5e-4, 0.003, 0.01, 0.03, 0.07, 0.15, 0.3, 0.6, 1.2, 2.5, 5, 25, 125]
 
--- | The variances of a patch's coefficients, without the mean's, for the s-th process, of variance
--- 1.
+-- | The variances of a patch's coefficients, without the mean's, for the s-th shape, of variance 1.
 powers :: Int -> Int -> Int -> Vector Double
 powers w h s = V.generate (max 0 (k * m - 1)) (power . (+ 1))
   where
@@ -104,7 +106,7 @@ powers w h s = V.generate (max 0 (k * m - 1)) (power . (+ 1))
     frequency :: Int -> Int -> Double
     frequency u n = pi * fromIntegral u / fromIntegral n
 
--- | The mean cosine of a coefficient's phase over the displacements within half a taxel.
+-- | For each coefficient the number c of the module's header.
 coherence :: Int -> Int -> Vector Double
 coherence w h = V.generate (max 0 (k * m - 1)) (at . (+ 1))
   where
@@ -119,8 +121,8 @@ density :: Double -> Double -> Double -> Double -> Double
 density nu range fx fy =
   range * range * (1 + range * range * (fx * fx + fy * fy) / (2 * nu - 1)) ** negate nu
 
--- | The variance of each process before scaling: the mean over both frequencies, which may be
--- exchanged.
+-- | The mean of each shape's density over all pairs of frequencies, by which it is divided to have
+-- mean 1. The density is symmetric in them, so each pair is computed once.
 normalisers :: Vector Double
 normalisers =
   V.fromList
@@ -135,7 +137,8 @@ normalisers =
 
 -- | A process and its noise.
 data Process = Process
-  { -- | Its index among the processes that are tried.
+  { -- | The index of its shape in 'shapesOfSpectrum' times 'noiseCount', plus the index of its
+    -- noise in 'noiseShares'.
     processIndex :: !Int,
     -- | The noise's variance as a share of the relief's.
     processNoise :: !Double
@@ -143,17 +146,17 @@ data Process = Process
   deriving stock (Eq, Show)
 
 -- | The likeliest process of frames, from their coefficients ('cosineTransform'), each frame with
--- its own scale. Its noise has at least the given share of the relief's variance. It has at most
--- 'mostNoise' or that share, whichever is larger.
+-- its own scale. The noise shares that are tried are at most 'mostNoise', and at least the given
+-- one rounded up to the next of 'noiseShares'. If that is above 'mostNoise', it alone is tried.
 processOf :: Spectra -> Double -> [Vector Double] -> Process
 processOf tables least frames = numbered (V.maxIndex scores)
   where
     numbered i = Process i (noiseShares !! (i `rem` noiseCount))
     squares = map (V.map (\x -> x * x)) frames
+    lowest = minimum (maximum noiseShares : filter (>= least) noiseShares)
     scores = V.generate (shapeCount * noiseCount) $ \i ->
       let process = numbered i
-       in if processNoise process < min least (maximum noiseShares)
-            || processNoise process > max least mostNoise
+       in if processNoise process < lowest || processNoise process > max lowest mostNoise
             then -1 / 0
             else sum (map (densityLog . fitted tables process) squares)
 
@@ -165,7 +168,8 @@ data Fitted = Fitted
     reliefScale :: !Double
   }
 
--- | Fits a process to a frame, given the frame's coefficients.
+-- | Fits a process to a frame, given the frame's coefficients. Both numbers are 0 for a frame
+-- without variation.
 fitTo :: Spectra -> Process -> Vector Double -> Fitted
 fitTo tables process = fitted tables process . V.map (\x -> x * x)
 
@@ -177,7 +181,7 @@ fitted tables process squares
   where
     (inverses, logs) = spectraWhole tables Boxed.! processIndex process
     total = V.sum squares
-    -- One step of 16 bits in one taxel has 2e-10.
+    -- Below this a frame is flat. One taxel that differs by one step of 16 bits gives 2e-10.
     rounding = 1e-16
     n = fromIntegral (V.length squares)
     scale = dot squares inverses / n
@@ -189,17 +193,18 @@ whiteness c = negate n / 2 * (1 + log (2 * pi))
   where
     n = fromIntegral (V.length c)
 
--- | The heights of a patch's relief that are tried, as shares of the process's variance. Relief
--- varies from place to place, and two patches of a gap look alike without being informative.
-reliefHeights :: [Double]
-reliefHeights = [0.003, 0.08, 0.4, 1.5]
+-- | The variances kappa of a patch's relief that are tried, as multiples of the process's. Relief
+-- varies from place to place: two patches of the flat ground between symbols look alike, which says
+-- nothing about their places.
+reliefVariances :: [Double]
+reliefVariances = [0.003, 0.08, 0.4, 1.5]
 
 -- | Patches of one width and height under a process.
 data PatchWeights = PatchWeights
-  { -- | For the greatest of 'reliefHeights'.
+  { -- | For the greatest of 'reliefVariances'.
     weightsHighest :: ApartWeights,
-    -- | For each of 'reliefHeights': the weights under two reliefs, and under one relief by each of
-    -- 'coherences'.
+    -- | For each of 'reliefVariances': the weights under two reliefs, and under one relief by
+    -- each of 'coherences'.
     weightsByHeight :: [(ApartWeights, [PairWeights])]
   }
 
@@ -222,9 +227,9 @@ coherences w h = [V.map (const 1) nearly, nearly, V.map (* alike) nearly]
 patchWeights :: Process -> (Int, Int) -> PatchWeights
 patchWeights process (w, h) =
   PatchWeights
-    (apart (maximum reliefHeights))
+    (apart (maximum reliefVariances))
     [ (apart height, map (together height) (coherences w h))
-      | height <- reliefHeights
+      | height <- reliefVariances
     ]
   where
     power = powers w h (processIndex process `quot` noiseCount)
@@ -246,9 +251,9 @@ patchWeights process (w, h) =
 -- each divided by the root of its frame's scale. 'tempering' reduces it, because relief is no
 -- normal process and the coefficients are not quite independent.
 --
--- The second frame may read e^g times what the first does, beyond the scales. Here g makes both
--- patches equally high; its prior is normal, of variance 'gainVariance'. A patch without variation
--- gives 0.
+-- The second frame may read e^g times what the first does, beyond the scales. Here g is the value
+-- within -1 to 1 that brings the patches' heights nearest to each other; its prior is normal, of
+-- variance 'gainVariance'. A patch without variation gives 0.
 patchLog :: PatchWeights -> Vector Double -> Vector Double -> Double
 patchLog weights a b
   | high a <= 0 || high b <= 0 = 0

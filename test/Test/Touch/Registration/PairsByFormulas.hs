@@ -27,7 +27,15 @@ tables :: Spectra
 tables = spectra 9 8
 
 processSpec :: Spec
-processSpec =
+processSpec = do
+  it "the noise's share is at least the given one, or 125 if that is more" $
+    forAllBlind (genFrames 9 8) $ \((a, b), _) ->
+      conjoin
+        [ counterexample (show least) $
+            property (processNoise process >= min least 125)
+          | least <- [0, 1e-7, 4, 5, 5.1, 7, 24.9, 25, 60, 125, 126, 1e9],
+            let process = processOf tables least (map (coefficientsOf tables) [a, b])
+        ]
   it "a frame's likelihood is that of the likeliest process, or of white noise, by the formulas" $
     forAllBlind (genFrames 9 8) $ \((a, b), _) ->
       let coefficients = map (coefficientsOf tables) [a, b]
