@@ -48,29 +48,8 @@ weighedPosterior theLocator query decoder possible seen = do
       weight candidate =
         priorWeight (symbolIn candidate) seen candidate (prior candidate)
       found = maybe id (const (reweighed weight)) (queryPrior query) byCells
-      chanceAt candidate (offset, b) =
-        let o = candidateSymmetry candidate
-            given a = probabilitiesIn o b Primitive.! toCode a / symmetryChance o b
-         in maybe 0 given (symbolIn candidate offset)
       asked = query {querySymmetries = possible}
-      compared = do
-        best <- posteriorBest found
-        let speaking = withoutCells (candidateSilent (prior best)) seen
-            o = candidateSymmetry best
-        places <- spheresOf theLocator asked seen
-        pure $
-          comparedWith
-            theLocator
-            asked
-            places
-            speaking
-            Expected
-              { expectedChances = map (chanceAt best) (observedCells speaking),
-                expectedSymmetry = shownSymmetry possible (map snd (observedCells speaking)) o,
-                expectedLikeliest =
-                  maybe (log (1 - posteriorDoubt found)) (const 0) (posteriorUnlisted found),
-                expectedShown = sum [log (symmetryChance o b) | (_, b) <- observedCells speaking]
-              }
+      compared = posteriorBest found >>= comparedAt theLocator asked prior found seen
       alien = foreignChances <$> (queryForeign query *> compared)
       doubts p = PlaceDoubts (Just ((1 - doubtOfForeign p) * posteriorDoubt found)) p
   pure
@@ -114,6 +93,41 @@ shownSymmetry possible cells o = negate (log (sum (map relative possible) / coun
     relative other = exp (shown other - shown o)
     shown one' = sum (map (log . symmetryChance one') cells)
     count = fromIntegral (length possible)
+
+-- | The comparison of a patch with foreign things. The arguments are the array; the query; the
+-- candidates' priors; their posterior; the patch as seen; and the likeliest candidate. 'Nothing' if
+-- no cell was observed.
+comparedAt ::
+  KnownField k =>
+  Locator k ->
+  Query k ->
+  (Candidate -> CandidatePrior) ->
+  Posterior Candidate ->
+  Patch (Belief k) ->
+  Candidate ->
+  Maybe ForeignComparison
+comparedAt theLocator query prior found seen best = do
+  places <- spheresOf theLocator query seen
+  pure $
+    comparedWith
+      theLocator
+      query
+      places
+      speaking
+      Expected
+        { expectedChances = map chanceAt (observedCells speaking),
+          expectedSymmetry =
+            shownSymmetry (querySymmetries query) (map snd (observedCells speaking)) o,
+          expectedLikeliest =
+            maybe (log (1 - posteriorDoubt found)) (const 0) (posteriorUnlisted found),
+          expectedShown = sum [log (symmetryChance o b) | (_, b) <- observedCells speaking]
+        }
+  where
+    o = candidateSymmetry best
+    speaking = withoutCells (candidateSilent (prior best)) seen
+    chanceAt (offset, b) =
+      let given a = probabilitiesIn o b Primitive.! toCode a / symmetryChance o b
+       in maybe 0 given (symbolAt (locatorArray theLocator) (patchShape seen) best offset)
 
 -- | The quantities of the likeliest candidate that 'ForeignComparison' needs.
 data Expected = Expected
