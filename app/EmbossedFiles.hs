@@ -69,7 +69,7 @@ surfaceFile ::
   Alphabet ->
   PseudorandomArray k ->
   Placement ->
-  Subject ->
+  EmbossSubject ->
   Either String (MadeFile, Lazy.ByteString)
 surfaceFile format alphabet array layout subject = do
   made <- first embossMessage (embossed alphabet array layout subject)

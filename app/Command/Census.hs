@@ -29,7 +29,7 @@ import PraTactile.Format.Census
 import PraTactile.Format.Census.Continue
 import PraTactile.Format.Census.Contradiction (foundProved)
 import PraTactile.Format.Census.Row
-import PraTactile.Window.Proof (Verdict (..))
+import PraTactile.Window.Proof (WindowVerdict (..))
 import Progress
 import System.IO
 

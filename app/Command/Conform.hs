@@ -21,7 +21,7 @@ import Interrupt
 import Message (formatMessage)
 import Options
 import Output
-import PraTactile.Conformance.Definition (Known)
+import PraTactile.Conformance.Definition (ProfileFacts)
 import PraTactile.Conformance.Process
 import PraTactile.Conformance.Profiles (defaultProfiles)
 import PraTactile.Conformance.Report
@@ -83,7 +83,7 @@ chosenProfiles files = case files of
       | otherwise = visibleName (takeBaseName file)
 
 -- | Run the suite, or the case of a token, on the chosen number of processes.
-conformed :: Options -> Settings -> Suite Known -> Command -> IO Report
+conformed :: Options -> Settings -> Suite ProfileFacts -> Command -> IO Report
 conformed options settings suite subject = do
   end <- (+ wholeLimit options) <$> getMonotonicTime
   let timeLeft = subtract <$> getMonotonicTime <*> pure end
@@ -120,7 +120,7 @@ notStarted subject fault = case faultKind fault of
     name = visibleName (commandProgram subject)
 
 -- | Try all chosen laws.
-whole :: Settings -> Suite Known -> [Subject] -> IO Report
+whole :: Settings -> Suite ProfileFacts -> [Subject] -> IO Report
 whole settings suite started =
   withProgress (unevenly total "cases") $ \bar -> do
     done <- newIORef 0
@@ -130,7 +130,7 @@ whole settings suite started =
     total = sum (map (countWork settings suite) (take 1 started))
 
 -- | Try the case of a token.
-replayed :: Settings -> Suite Known -> Token -> Subject -> IO Report
+replayed :: Settings -> Suite ProfileFacts -> Token -> Subject -> IO Report
 replayed settings suite token subject = do
   outcome <- replay settings suite token subject
   case outcome of

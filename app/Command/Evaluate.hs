@@ -206,7 +206,7 @@ run options choice
         evaluation = evaluationOf profile options simulated
         how = experimentExploration experiment
         part =
-          Part
+          EvaluationShard
             { partNumber = maybe 1 (fromIntegral . fst) (shard options),
               partOf = maybe 1 (fromIntegral . snd) (shard options),
               partSetting =
@@ -222,7 +222,10 @@ run options choice
             }
     results <- orUnusable profileMessage (withProfile profile made) >>= orUnusable id
     let pressesOf kept =
-          [ Press number outcome (if kept == WithPoses then inMillimetres <$> pose else Nothing)
+          [ PressResult
+              number
+              outcome
+              (if kept == WithPoses then inMillimetres <$> pose else Nothing)
             | (number, (outcome, pose)) <- zip [1 ..] results,
               isInPart part number
           ]
@@ -238,7 +241,13 @@ data Kept = WithPoses | CountsAlone
   deriving stock (Eq)
 
 -- | Print or write the results of the presses of a shard.
-delivered :: Options -> (Int, Int) -> Evaluation -> Part -> (Kept -> [Press]) -> IO ()
+delivered ::
+  Options ->
+  (Int, Int) ->
+  Evaluation ->
+  EvaluationShard ->
+  (Kept -> [PressResult]) ->
+  IO ()
 delivered options region evaluation part pressesOf = case (output options, shard options) of
   (Just file, _) -> do
     bytes <- alreadyIn file
@@ -267,7 +276,12 @@ delivered options region evaluation part pressesOf = case (output options, shard
 
 -- | The contents of an unfinished file: its length up to the last whole press, the presses, and
 -- whether they are complete. Any other file is left alone, with status 2.
-continued :: FilePath -> ByteString -> Evaluation -> Part -> IO (Int, [Press], Bool)
+continued ::
+  FilePath ->
+  ByteString ->
+  Evaluation ->
+  EvaluationShard ->
+  IO (Int, [PressResult], Bool)
 continued file bytes evaluation part
   | bytes `Bytes.isPrefixOf` begins = pure (0, [], False)
   | begins `Bytes.isPrefixOf` bytes = do
@@ -281,7 +295,13 @@ continued file bytes evaluation part
 
 -- | Write the presses that a shard's file lacks, each at once and whole, after the bytes and
 -- presses that it has; the counts of all presses.
-document :: Evaluation -> Part -> (Int, [Press]) -> [Press] -> Handle -> IO Counts
+document ::
+  Evaluation ->
+  EvaluationShard ->
+  (Int, [PressResult]) ->
+  [PressResult] ->
+  Handle ->
+  IO Counts
 document evaluation part (kept, before) others handle = do
   when (kept == 0) (put (beginning evaluation part))
   counts <- pressesCounted evaluation part before (put . line) others
@@ -294,7 +314,13 @@ document evaluation part (kept, before) others handle = do
 -- | The counts of all presses, including those made before. The others are made on all cores as
 -- they are needed. Each is given to the action, counted and dropped from memory. Shows progress on
 -- a terminal.
-pressesCounted :: Evaluation -> Part -> [Press] -> (Press -> IO ()) -> [Press] -> IO Counts
+pressesCounted ::
+  Evaluation ->
+  EvaluationShard ->
+  [PressResult] ->
+  (PressResult -> IO ()) ->
+  [PressResult] ->
+  IO Counts
 pressesCounted evaluation part before put others =
   withProgress (doneBefore done (evenly (partSize evaluation part) "presses")) $ \bar ->
     foldM
@@ -353,14 +379,14 @@ evaluationOf profile options simulated =
     }
 
 -- | The number of presses, and how many of them a shard has.
-pressesText :: Evaluation -> Part -> String
+pressesText :: Evaluation -> EvaluationShard -> String
 pressesText evaluation part
   | partOf part == 1 = count ++ " presses"
   | otherwise = show (partSize evaluation part) ++ " of " ++ count ++ " presses"
   where
     count = show (evaluationPresses evaluation)
 
-countsText :: Options -> (Int, Int) -> Evaluation -> Part -> Counts -> String
+countsText :: Options -> (Int, Int) -> Evaluation -> EvaluationShard -> Counts -> String
 countsText options region evaluation part counts =
   unlines
     [ headingText options region evaluation part,
@@ -368,7 +394,7 @@ countsText options region evaluation part counts =
       tallyText "no-stitching" (countsUnstitched counts)
     ]
 
-headingText :: Options -> (Int, Int) -> Evaluation -> Part -> String
+headingText :: Options -> (Int, Int) -> Evaluation -> EvaluationShard -> String
 headingText options region evaluation part =
   printf
     "%s, seed %d, regions of %d x %d taxels, position error sigma %g taxels, noise sd %g \

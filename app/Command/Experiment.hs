@@ -182,7 +182,7 @@ heading =
     "below none"
     "paper"
 
-line :: (Row, Outcome) -> String
+line :: (Row, RowResult) -> String
 line (row, o) =
   reverse . dropWhile (== ' ') . reverse $
     printf
@@ -200,7 +200,7 @@ line (row, o) =
     share = foldMap (\n -> show n ++ " of " ++ show (outcomeSeeds o))
 
 -- | The tables and the curves.
-files :: [(Row, Outcome)] -> [(Row, [Kept])] -> [(FilePath, Bytes.ByteString)]
+files :: [(Row, RowResult)] -> [(Row, [Kept])] -> [(FilePath, Bytes.ByteString)]
 files results table =
   [ ("rows.csv", Bytes.pack (rowsCsv results)),
     ("levels.csv", Bytes.pack (levelsCsv results)),
@@ -210,7 +210,7 @@ files results table =
   ]
 
 -- | The medians of the errors at each noise level, of the rows in which nothing is changed.
-noiseCurves :: [(Row, Outcome)] -> Curves
+noiseCurves :: [(Row, RowResult)] -> Curves
 noiseCurves results =
   Curves
     { curvesTitle = "Images told wrong, by the noise that they are tried with",

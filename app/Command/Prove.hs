@@ -13,7 +13,7 @@ import Message (profileMessage, proofMessage, windowMessage)
 import Numeric.Natural (Natural)
 import Options
 import PraTactile.Array (ArrayOn (..), Position (..), Surface (..), arrayFolding, naturalSurface)
-import PraTactile.Format (Subject (..), encodeProof)
+import PraTactile.Format (ProvedArray (..), encodeProof)
 import PraTactile.Format.Name (shapeText, surfaceName)
 import PraTactile.Format.Proof (subjectShape)
 import PraTactile.Profile
@@ -65,9 +65,9 @@ run drawn on form source choice = do
 
 -- | The verdict on the windows of an array.
 data Result = Result
-  { ofWhat :: Subject,
+  { ofWhat :: ProvedArray,
     windowMask :: Mask,
-    verdict :: Verdict,
+    verdict :: WindowVerdict,
     -- | how far windows lie apart, if that is known
     apart :: Maybe Distance
   }

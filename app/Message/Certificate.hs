@@ -12,7 +12,7 @@ import Numeric.Natural (Natural)
 import PraTactile.Array (Shape (..))
 import PraTactile.Certificate
 import PraTactile.Certificate.Check
-import PraTactile.Window.Proof (Verdict (..))
+import PraTactile.Window.Proof (WindowVerdict (..))
 
 -- | Why there is no certificate.
 certificateMessage :: CertificateError -> String

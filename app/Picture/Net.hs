@@ -94,7 +94,7 @@ asLarge title body meanings =
       ]
 
 -- | A part on its page, which has this number.
-partMarks :: Raised -> Int -> Part -> Drawing
+partMarks :: Raised -> Int -> NetPart -> Drawing
 partMarks raised page part =
   [Mark "net" (Outline (filled paper 1) (map units (netCorners face))) | face <- partFaces part]
     ++ concatMap symbolMarks (partFaces part)
@@ -162,7 +162,7 @@ cutMeaning = Meaning "cut" (outlined ink 2) "cut"
 tabMeaning = Meaning "tab" tabPaint "fold, and glue under the edge of the same number"
 awayMeaning = Meaning "number" (outlined recognised 1) "p.2: that edge is on page 2"
 
-partMeanings :: [Part] -> [Meaning]
+partMeanings :: [NetPart] -> [Meaning]
 partMeanings parts =
   cutMeaning :
   bendMeanings (concatMap partFolds parts)

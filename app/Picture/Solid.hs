@@ -92,7 +92,7 @@ scaleOf shown whole = shownSize shown / max 1e-9 (max (width round') (height rou
     corners = concatMap (map fst . patchCorners) (patches (camera (shownView shown) whole))
 
 -- | A part of a face, what is embossed on it, and those of its sides that are edges.
-patchMarks :: Double -> Shown -> Map.Map Int [[(Double, Double)]] -> Patch -> Drawing
+patchMarks :: Double -> Shown -> Map.Map Int [[(Double, Double)]] -> VisiblePart -> Drawing
 patchMarks scale shown symbols patch =
   Mark "face" (Outline paint (map units corners)) :
   [ Mark "embossed" (Region (filled ink 1) (map (map units) parts))

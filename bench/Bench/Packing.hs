@@ -36,7 +36,7 @@ faces boxes =
     cells wide high = (high `div` 254, wide * 5 `div` 1016)
 
 -- | The number of these pieces that are laid on a sheet of the given rows and columns.
-laying :: (Int, Int) -> [[Mask]] -> IO (IO Measurement)
+laying :: (Int, Int) -> [[BlockMask]] -> IO (IO Measurement)
 laying (rows, columns) pieces = do
   _ <- evaluate (length (show pieces))
   pure $ do

@@ -46,7 +46,7 @@ module PraTactile
     Mask,
     rectangle,
     prove,
-    Verdict (..),
+    WindowVerdict (..),
     Proved,
 
     -- * Locating: "PraTactile.Locate"

@@ -158,7 +158,7 @@ data Entry = Entry
     entryShape :: Shape,
     entryWindow :: Shape,
     -- | whether the windows on the natural surface are distinct
-    entryVerdict :: Either ProofError Verdict,
+    entryVerdict :: Either ProofError WindowVerdict,
     -- | the minimum distance between them
     entryDistance :: Either DistanceError Distance
   }

@@ -114,11 +114,11 @@ data CertificateError
   | -- | There is no verdict.
     CertificateProof ProofError
   | -- | The windows are not distinct.
-    NotDistinct Verdict
+    NotDistinct WindowVerdict
   | -- | The rank does not decide on this surface.
-    RankUndecided Verdict
+    RankUndecided WindowVerdict
   | -- | Not all windows were visited, or they are too many for a digest.
-    NotVisited Verdict
+    NotVisited WindowVerdict
   | -- | N could not be factored.
     PeriodNotFactored FactorError
   | -- | This prime is not below 'millerRabinDomain', and no proof of its primality was found that a
@@ -180,7 +180,7 @@ evidenceBy ::
   Profile ->
   PseudorandomArray k ->
   Mask ->
-  Verdict ->
+  WindowVerdict ->
   Either CertificateError Evidence
 evidenceBy method profile array mask verdict = case method of
   EnumerationMethod -> enumerated

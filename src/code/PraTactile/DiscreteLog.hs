@@ -47,12 +47,12 @@ largestFeasiblePrime :: Natural
 largestFeasiblePrime = 2 ^ (40 :: Int)
 
 -- | What is computed once for all logarithms to the base alpha, when needed.
-data Logarithms (k :: Field) = Logarithms (Primitive k) [Part k]
+data Logarithms (k :: Field) = Logarithms (Primitive k) [PrimePower k]
 
 type role Logarithms nominal
 
 -- | One prime power r^e of q^n - 1, with the tables for logarithms in the subgroup of order r.
-data Part k = Part
+data PrimePower k = PrimePower
   { partPrime :: Natural,
     partExponent :: Natural,
     -- | the number m of baby steps
@@ -79,7 +79,12 @@ prepareLogarithmsWith most h
   where
     largest = maximum (1 : map fst (periodFactors h))
     part (r, e) =
-      Part r e m (Map.fromList (zip babies [0 .. m - 1])) (powerOfRoot h (period h - m * cofactor))
+      PrimePower
+        r
+        e
+        m
+        (Map.fromList (zip babies [0 .. m - 1]))
+        (powerOfRoot h (period h - m * cofactor))
       where
         m = min (max 1 most) (squareRoot (r - 1) + 1)
         cofactor = period h `div` r
@@ -97,12 +102,17 @@ logarithmFrom (Logarithms h parts) a
     modulo (p, b) = (partLogarithm h p b, partPower p)
 
 -- | r^e.
-partPower :: Part k -> Natural
+partPower :: PrimePower k -> Natural
 partPower p = partPrime p ^ partExponent p
 
 -- | For each r^e, the power a^(N/r^e), where N is the product of all r^e. They are computed by
 -- halves, so that the powers for the other half are taken once.
-components :: KnownField k => Primitive k -> [Part k] -> Residue k -> [(Part k, Residue k)]
+components ::
+  KnownField k =>
+  Primitive k ->
+  [PrimePower k] ->
+  Residue k ->
+  [(PrimePower k, Residue k)]
 components h parts a = case splitAt (length parts `div` 2) parts of
   ([], ps) -> [(p, a) | p <- ps]
   (ps, ps') -> components h ps (powered ps') ++ components h ps' (powered ps)
@@ -112,7 +122,7 @@ components h parts a = case splitAt (length parts `div` 2) parts of
 -- | The logarithm modulo r^e, by its base-r digits, the lowest first. Let b = a^(N/r^e), and let x
 -- be the digits below r^i. Then digit i is the logarithm to the base gamma of (b / alpha^(x
 -- N/r^e))^(r^(e-1-i)).
-partLogarithm :: KnownField k => Primitive k -> Part k -> Residue k -> Natural
+partLogarithm :: KnownField k => Primitive k -> PrimePower k -> Residue k -> Natural
 partLogarithm h p b = foldl' withDigit 0 [0 .. partExponent p - 1]
   where
     r = partPrime p
@@ -125,7 +135,7 @@ partLogarithm h p b = foldl' withDigit 0 [0 .. partExponent p - 1]
 
 -- | The logarithm to the base gamma of one of its powers. If i giant steps back end on the baby
 -- step j, it is i m + j.
-stepLogarithm :: KnownField k => Primitive k -> Part k -> Residue k -> Natural
+stepLogarithm :: KnownField k => Primitive k -> PrimePower k -> Residue k -> Natural
 stepLogarithm h p d =
   sum (take 1 (mapMaybe found (zip giants (iterate (multiplyModulo h (partGiant p)) d))))
   where

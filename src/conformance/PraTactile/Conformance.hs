@@ -54,12 +54,12 @@ module PraTactile.Conformance
 
     -- * Profiles
     defaultProfiles,
-    Known,
+    ProfileFacts,
     known,
   )
 where
 
-import PraTactile.Conformance.Definition (Known, known)
+import PraTactile.Conformance.Definition (ProfileFacts, known)
 import PraTactile.Conformance.Implementation
 import PraTactile.Conformance.Law (Law (..))
 import PraTactile.Conformance.Laws (laws, lawsWithoutProfile, openingLaws)

@@ -35,7 +35,7 @@ module PraTactile.Format
     decodeCertificate,
     CertificateFile (..),
     encodeProof,
-    Subject (..),
+    ProvedArray (..),
     encodeCheck,
 
     -- * Answers of @locate@

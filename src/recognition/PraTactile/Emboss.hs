@@ -9,7 +9,7 @@
 -- t and height h adds t^2 h to the volume.
 module PraTactile.Emboss
   ( -- * Making
-    Subject (..),
+    EmbossSubject (..),
     subjectName,
     Embossed (..),
     Volume (..),
@@ -56,7 +56,7 @@ import PraTactile.Shape (Alphabet, shapeName, shapeOf)
 import PraTactile.Shape.Outline (Contact (..), Corner)
 
 -- | What is embossed.
-data Subject
+data EmbossSubject
   = -- | the object with this name
     WholeObject ObjectName
   | -- | the face with this name, begun at any vertex, as a plate; its thickness in millimetres, or
@@ -65,7 +65,7 @@ data Subject
   deriving stock (Eq, Show)
 
 -- | The name of the object, or of the object whose face becomes a plate.
-subjectName :: Subject -> ObjectName
+subjectName :: EmbossSubject -> ObjectName
 subjectName subject = case subject of
   WholeObject object -> object
   PlateOf object _ _ -> object
@@ -101,7 +101,7 @@ nearestVolume (Volume r s) = fromRational r + squareRoot s
 
 -- | An embossed surface.
 data Embossed = Embossed
-  { embossedSubject :: Subject,
+  { embossedSubject :: EmbossSubject,
     -- | for a plate, its face as it is laid
     embossedFace :: Maybe FaceName,
     -- | the names of the object's vertices, which are the first points
@@ -133,7 +133,7 @@ embossed ::
   Alphabet ->
   PseudorandomArray k ->
   Placement ->
-  Subject ->
+  EmbossSubject ->
   Either EmbossError Embossed
 embossed alphabet array layout subject = do
   object <- first NotThere (findObject layout named)
@@ -187,7 +187,7 @@ embossedPlate scale thick object laid symbols = do
 
 -- | Assembles the result from the symbols' size relative to the paper's, the symbols, the surface,
 -- and the volume of the body without symbols.
-made :: Subject -> Maybe FaceName -> Rational -> [Stamp] -> Parts -> Volume -> Embossed
+made :: EmbossSubject -> Maybe FaceName -> Rational -> [Stamp] -> Parts -> Volume -> Embossed
 made subject face scale symbols (names, points, cut) (Volume r s) =
   Embossed
     { embossedSubject = subject,
@@ -257,7 +257,7 @@ whole taxel height symbols layout object =
       _ -> bare (meshWalks it V.! f)
     bare walk =
       maybe
-        (Surface [] (triangles it walk))
+        (RaisedMesh [] (triangles it walk))
         (\chart -> raisedFace 0 chart walk 0 [])
         (chartOf it walk 1 (1, 1) Centred (0, 0))
 

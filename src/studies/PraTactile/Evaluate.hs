@@ -32,7 +32,7 @@ module PraTactile.Evaluate
     tally,
     noResults,
     counting,
-    Press (..),
+    PressResult (..),
     Counts (..),
     countPresses,
     noCounts,
@@ -490,7 +490,7 @@ tally :: [Result] -> Tally
 tally = foldl' counting noResults
 
 -- | The result of a press.
-data Press = Press
+data PressResult = PressResult
   { -- | counts from 1
     pressNumber :: !Int,
     pressResult :: !TrialResult,
@@ -509,7 +509,7 @@ data Counts = Counts
   deriving stock (Eq, Show)
 
 -- | Counts presses in their order.
-countPresses :: [Press] -> Counts
+countPresses :: [PressResult] -> Counts
 countPresses = foldl' countingPress noCounts
 
 -- | The counts without presses.
@@ -517,8 +517,8 @@ noCounts :: Counts
 noCounts = Counts noResults noResults []
 
 -- | Adds one press to the counts.
-countingPress :: Counts -> Press -> Counts
-countingPress (Counts stitched unstitched poses) (Press _ outcome pose) =
+countingPress :: Counts -> PressResult -> Counts
+countingPress (Counts stitched unstitched poses) (PressResult _ outcome pose) =
   Counts
     (counting stitched (withStitching outcome))
     (counting unstitched (withoutStitching outcome))

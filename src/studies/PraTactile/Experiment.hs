@@ -21,13 +21,13 @@ module PraTactile.Experiment
     materialSteps,
     trainedEach,
     testSeed,
-    Trial,
+    NetworkTrial,
     trial,
 
     -- * What comes of it
     Spread (..),
     spreadOf,
-    Outcome (..),
+    RowResult (..),
     outcomes,
     paperPercent,
   )
@@ -216,11 +216,11 @@ materialSteps symbols source seed =
 -- | The trial of a row with one seed. For each kind of middle stage it has the trained network and
 -- the errors: for each noise level and then each class, the numbers of images read wrongly and of
 -- images.
-type Trial = [(Run, [[(Int, Int)]])]
+type NetworkTrial = [(Run, [[(Int, Int)]])]
 
 -- | Runs a row with a seed on the images of its source. Refuses what 'trainedBy' refuses, and
 -- ('EmptyBatch') a seed for which there are no training images.
-trial :: Row -> Images -> Int -> Either NetworkError Trial
+trial :: Row -> Images -> Int -> Either NetworkError NetworkTrial
 trial row images seed = case lookup seed (imagesToTrain images) of
   Nothing -> Left EmptyBatch
   Just clean -> do
@@ -250,7 +250,7 @@ spreadOf values
     middle = take (2 - count `mod` 2) (drop ((count - 1) `div` 2) (sort values))
 
 -- | The results of a row with one kind of middle stage.
-data Outcome = Outcome
+data RowResult = RowResult
   { outcomeMiddle :: Middle,
     outcomeSeeds :: Int,
     -- | for each noise level, that level and the error rate over all classes, in per cent
@@ -270,9 +270,9 @@ data Outcome = Outcome
 -- | The results of a row, one for each 'Middle'. The argument has the numbers of wrong images and
 -- of images, as in 'Trial', for each seed, then each 'Middle', then each noise level, then each
 -- class.
-outcomes :: [[[[(Int, Int)]]]] -> [Outcome]
+outcomes :: [[[[(Int, Int)]]]] -> [RowResult]
 outcomes bySeed =
-  [ Outcome
+  [ RowResult
       { outcomeMiddle = middle,
         outcomeSeeds = length counts,
         outcomeLevels = zip noiseLevels (map spreadOf (transpose (map (map percent) counts))),

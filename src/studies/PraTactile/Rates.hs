@@ -47,13 +47,13 @@ newtype Seed = Seed Int
   deriving stock (Eq, Show)
 
 -- | Runs this number of trials from a seed. Hard decoding uses this radius.
-simulate :: KnownField k => Radius -> TrialSetup k -> Damage -> Int -> Seed -> Tally
+simulate :: KnownField k => Radius -> TrialSetup k -> Damage -> Int -> Seed -> RatesTally
 simulate radius setup damage = withNoise radius setup (noiseOf setup damage) (damageErasures damage)
 
 -- | Runs this number of trials in parts of a thousand that can be computed in parallel and must be
 -- merged. Each part has a seed of its own, which also depends on the patches' shape and the damage,
 -- so that the lines of a table are independent.
-simulations :: KnownField k => Radius -> TrialSetup k -> Damage -> Int -> Seed -> [Tally]
+simulations :: KnownField k => Radius -> TrialSetup k -> Damage -> Int -> Seed -> [RatesTally]
 simulations radius setup damage trials (Seed seed) =
   [ withNoise
       radius
@@ -83,10 +83,10 @@ noiseOf _ = noiseFor (fieldOrder (Proxy :: Proxy k)) . damageErrors
 
 -- | @withNoise radius setup sigma missing trials seed@ runs trials with noise of standard deviation
 -- sigma, in which each cell is missing with the given probability.
-withNoise :: KnownField k => Radius -> TrialSetup k -> Double -> Double -> Int -> Seed -> Tally
+withNoise :: KnownField k => Radius -> TrialSetup k -> Double -> Double -> Int -> Seed -> RatesTally
 withNoise radius setup sigma missing trials = \(Seed seed) -> go trials (mkStdGen seed) noTrials
   where
-    go :: Int -> StdGen -> Tally -> Tally
+    go :: Int -> StdGen -> RatesTally -> RatesTally
     go !left g !tally
       | left <= 0 = tally
       | otherwise =

@@ -60,12 +60,12 @@ spec = do
     lawsFailing [("powers", powers)] library `shouldReturn` []
   it "the library and the definition open the same profiles" (openedOtherwise `shouldReturn` [])
 
-underName :: String -> [Known]
+underName :: String -> [ProfileFacts]
 underName name =
   [k | (given, profile) <- defaultProfiles, given == name, Right k <- [known profile]]
 
 -- | The least number of cells in which two windows differ on the folding's own surface.
-leastOfPairs :: Known -> [String] -> Natural
+leastOfPairs :: ProfileFacts -> [String] -> Natural
 leastOfPairs k mask =
   minimum
     [ fromIntegral (length (filter id (zipWith (/=) a b)))

@@ -68,7 +68,7 @@ spec = do
   it "the shapes in a question about frames may be missing, but must be drawings if given" $
     for_
       [ SomeQuestion (Register :? (Just [["#.", ".#"], []], Pair [[1]] [[2]] (-4, -5) 1)),
-        SomeQuestion (Stitch :? (Just [["#"]], 1, [Placed [[1]] (0, 0)]))
+        SomeQuestion (Stitch :? (Just [["#"]], 1, [NominalFrame [[1]] (0, 0)]))
       ]
       $ \(SomeQuestion question) -> do
         Object keys <- pure (questionInput question)
@@ -157,7 +157,7 @@ spec = do
 
 -- | Questions of an operation, with the array of the profile under which they are asked: the
 -- example, and under small profiles typical questions, refused ones, and those chosen for vectors.
-questionsOf :: SomeOp -> [(Maybe Known, SomeQuestion)]
+questionsOf :: SomeOp -> [(Maybe ProfileFacts, SomeQuestion)]
 questionsOf some@(SomeOp op) =
   [(Nothing, exampleOf some) | not under] ++ case recordOf op of
     it'@Operation {} -> case operationWays it' of

@@ -23,7 +23,7 @@ import PraTactile.Format.Census.Merge
 import PraTactile.Format.Census.Row
 import PraTactile.Format.Error
 import PraTactile.Window.Distance (Distance (..), DistanceError (..))
-import PraTactile.Window.Proof (Verdict (..))
+import PraTactile.Window.Proof (WindowVerdict (..))
 import Test.Effort
 import Test.Hspec
 import Test.QuickCheck
@@ -143,7 +143,7 @@ spec = do
       scope <- either (fail . show) (\s -> pure s {scopeFoldings = foldings}) (standardScope 4 2)
       places <- either (fail . show) pure (scopePlaces scope)
       entries <- either (fail . show) pure (censusSize scope)
-      let of' = Subject 4 [1, 1, 1] [2, 1, 1] Diagonal (Shape 3 5) (Shape 1 2)
+      let of' = RowSubject 4 [1, 1, 1] [2, 1, 1] Diagonal (Shape 3 5) (Shape 1 2)
           named windows = Bytes.pack (censusName scope {scopeWindows = windows})
           count = fromIntegral (length places)
       place <- maybe (fail "it is not known") pure (standardPlace (named []) entries of')
@@ -238,7 +238,7 @@ spec = do
       DistanceBetween low high -> (low, Just high)
       TooManyCodewords _ -> error "no bounds"
     -- The paper's array with a window of 2 x 3.
-    subject = Subject 4 [1, 1, 1] [3, 2, 1, 0, 1] Diagonal (Shape 15 17) (Shape 2 3)
+    subject = RowSubject 4 [1, 1, 1] [3, 2, 1, 0, 1] Diagonal (Shape 15 17) (Shape 2 3)
     told = Findings True (Just True) True 4 4 255 255 (2, Nothing)
     wrong =
       [ (subject {subjectModulus = [1, 1]}, told, ["q", "modulus"]),

@@ -52,9 +52,9 @@ spec = do
       forAll (choose (1, evaluationPresses evaluation)) $ \count ->
         forAll (pressesFor evaluation) $ \presses -> do
           let parts =
-                [(show i, fileOf (partly (Part i count "setting"))) | i <- [1 .. count]]
+                [(show i, fileOf (partly (EvaluationShard i count "setting"))) | i <- [1 .. count]]
               partly part = (evaluation, part, filter (isInPart part . pressNumber) presses)
-              others = Part 1 count "another"
+              others = EvaluationShard 1 count "another"
           forAll (shuffle parts) $ \shuffled -> do
             let alien = ("x", fileOf (partly others))
             conjoin
@@ -79,7 +79,7 @@ spec = do
     lineLengths (evaluation, part, presses) =
       map (Bytes.length . pressLine evaluation part) presses
 
-type Shard = (Evaluation, Part, [Press])
+type Shard = (Evaluation, EvaluationShard, [PressResult])
 
 fileOf :: Shard -> ByteString
 fileOf (evaluation, part, presses) =
@@ -97,14 +97,14 @@ someShard :: Gen Shard
 someShard = do
   evaluation <- someEvaluation
   count <- choose (1, evaluationPresses evaluation)
-  part <- (\i -> Part i count "5c0e") <$> choose (1, count)
+  part <- (\i -> EvaluationShard i count "5c0e") <$> choose (1, count)
   presses <- pressesFor evaluation
   pure (evaluation, part, filter (isInPart part . pressNumber) presses)
 
-pressesFor :: Evaluation -> Gen [Press]
+pressesFor :: Evaluation -> Gen [PressResult]
 pressesFor evaluation = traverse press [1 .. evaluationPresses evaluation]
   where
-    press number = Press number <$> (TrialResult <$> outcome <*> outcome) <*> pose
+    press number = PressResult number <$> (TrialResult <$> outcome <*> outcome) <*> pose
     outcome =
       oneof
         [ Correct <$> doubt,

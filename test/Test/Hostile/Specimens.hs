@@ -179,7 +179,7 @@ shards =
       <> Bytes.concat (map (pressLine evaluation part) presses)
       <> ending (countPresses presses)
     | i <- [1, 2],
-      let part = Part i 2 "5c0e"
+      let part = EvaluationShard i 2 "5c0e"
           presses = filter (isInPart part . pressNumber) made
   ]
   where
@@ -187,9 +187,12 @@ shards =
       Evaluation canonicalProfile 3 1 1 0.1 $
         Conditions (Just "real") Nothing (Just 5) AnyAngle Nothing (Just 0.5) Nothing True
     made =
-      [ Press 1 (TrialResult (Correct 1e-6) (NoAnswer "ambiguous")) (Just (PoseError 0.5 0.1 3)),
-        Press 2 (TrialResult (Mistaken 0.25) (NoAnswer "no-symbols")) Nothing,
-        Press 3 (TrialResult (NoAnswer "not-stitched") (Correct 0)) Nothing
+      [ PressResult
+          1
+          (TrialResult (Correct 1e-6) (NoAnswer "ambiguous"))
+          (Just (PoseError 0.5 0.1 3)),
+        PressResult 2 (TrialResult (Mistaken 0.25) (NoAnswer "no-symbols")) Nothing,
+        PressResult 3 (TrialResult (NoAnswer "not-stitched") (Correct 0)) Nothing
       ]
 
 -- | Profiles of the paper's array, of one over another field, and of one that is laid row by row.

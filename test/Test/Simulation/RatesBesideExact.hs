@@ -47,9 +47,9 @@ spec = do
               located = decodeByLocate (by NearestDecoder) (by PosteriorDecoder)
           forM_ drawn $ \trial ->
             forM_ [Guaranteed, UpTo 0, UpTo 2, UpTo 100] $ \radius -> do
-              let TrialResult a b doubt = decodeTrial radius setup trial
+              let PatchResult a b doubt = decodeTrial radius setup trial
               case located radius setup trial of
-                Just (TrialResult a' b' doubt') -> do
+                Just (PatchResult a' b' doubt') -> do
                   (name, size, radius, a, b) `shouldBe` (name :: String, size, radius, a', b')
                   -- Doubts below 1e-20 are counted alike.
                   abs (doubt - doubt') `shouldSatisfy` (<= 1e-9 * doubt' + 1e-22)
@@ -163,8 +163,8 @@ spec = do
   it "answers of which none can be wrong are given at any share, also where others are doubted" $
     forM_ [(0, 0.25), (0.1, 0.25 + 0.4), (0.5, 1)] $ \(share, given) -> do
       -- One of four is beyond doubt; of the others each is wrong with probability 1/4.
-      let tally = foldl' count noTrials (TrialResult NoAnswer True 0 : replicate 3 doubted)
-          doubted = TrialResult NoAnswer True 0.25
+      let tally = foldl' count noTrials (PatchResult NoAnswer True 0 : replicate 3 doubted)
+          doubted = PatchResult NoAnswer True 0.25
           Rates isRight isWrong none = softRatesAtMost share tally
       maximum (map abs [isRight - given, isWrong, none - (1 - given)]) `shouldSatisfy` (< 1e-9)
   it "trials are counted, in parts or at once, and the rates are the shares of them" $
@@ -173,8 +173,8 @@ spec = do
         let results = concat parts
             tally = foldl' count noTrials results
             trials' = length results
-            hard answer = length [() | TrialResult found _ _ <- results, found == answer]
-            likely = length [() | TrialResult _ True _ <- results]
+            hard answer = length [() | PatchResult found _ _ <- results, found == answer]
+            likely = length [() | PatchResult _ True _ <- results]
             share n = fromIntegral n / fromIntegral (max 1 trials') :: Double
             near (Rates a b c) (x, y, z) =
               maximum [abs (a - x), abs (b - y), abs (c - z)] < 1e-12
@@ -245,8 +245,8 @@ decodeByLocate ::
   Locator k ->
   Radius ->
   TrialSetup k ->
-  Trial ->
-  Maybe TrialResult
+  PatchTrial ->
+  Maybe PatchResult
 decodeByLocate nearest withPosterior radius setup trial = do
   beliefs <-
     traverse
@@ -258,7 +258,7 @@ decodeByLocate nearest withPosterior radius setup trial = do
     rightOnly (locate withPosterior (query (Probabilities <$> beliefs)))
       >>= answerPosterior
   pure
-    TrialResult
+    PatchResult
       { resultHard = case answerOutcome hard of
           Unique found _ -> if candidatePosition found == true then Correct else Mistaken
           _ -> NoAnswer,
@@ -284,9 +284,9 @@ exactOn :: KnownField k => Radius -> ArrayOn k -> Mask -> Damage -> Maybe Rates
 exactOn stated array m = exactRates stated (locator Nothing MostSignificantFirst array m) m
 
 -- | What decoding may make of a trial. Doubts are such as add up without rounding.
-genResult :: Gen TrialResult
+genResult :: Gen PatchResult
 genResult =
-  TrialResult
+  PatchResult
     <$> QuickCheck.elements [minBound ..]
     <*> arbitrary
     <*> ((/ 1024) . fromIntegral <$> choose (0, 1024 :: Int))

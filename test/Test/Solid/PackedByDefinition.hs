@@ -116,7 +116,7 @@ type Shape = (Cell, [Cell])
 data Question = Question Cell [(Shape, Cell)] [[Shape]]
   deriving stock (Eq, Show)
 
-answered :: Int -> Question -> Outcome
+answered :: Int -> Question -> PackingResult
 answered seed (Question (rows, columns) taken pieces) =
   packed
     seed
@@ -209,7 +209,7 @@ expected (Question size taken pieces)
     needed =
       sum [minimum [length cells | s@(_, cells) <- p, possible everything [[s]]] | p <- pieces]
 
-agrees :: Question -> Maybe Reason -> Outcome -> Bool
+agrees :: Question -> Maybe Reason -> PackingResult -> Bool
 agrees question why outcome = case (why, outcome) of
   (Nothing, Packed laid) -> isPacking question laid
   (Just one, Impossible other) -> one == other

@@ -34,7 +34,8 @@ modulusFrom stated = case (stated, reverse stated) of
       Just (Modulus (rowFromList (take (length stated - 1) stated)))
   _ -> Nothing
 
--- | The reciprocal x^n h(1/x) / h(0).
+-- | The reciprocal x^n h(1/x) / h(0). It always exists, since h(0) is not 0; the 'Maybe' is that of
+-- 'inverse' and 'modulusFrom'.
 reversed :: KnownField k => Modulus k -> Maybe (Modulus k)
 reversed (Modulus lower) = case rowToList lower of
   constantTerm : rest ->

@@ -29,9 +29,10 @@ import PraTactile.Position
 
 -- | The prior of a candidate, and the cells that are silent if it is right.
 data CandidatePrior = CandidatePrior
-  { -- | the log prior, at most 0
+  { -- | The natural logarithm of its prior relative to that of the favoured candidates, which have
+    -- 0. It is not checked to be at most 0.
     candidateLogPrior :: !Double,
-    -- | the offsets, as seen, of the silent cells
+    -- | The offsets, as seen, of the silent cells.
     candidateSilent :: [Position]
   }
   deriving stock (Eq, Show)
@@ -41,8 +42,9 @@ uniformPrior :: CandidatePrior
 uniformPrior = CandidatePrior 0 []
 
 -- | The logarithm of the factor by which prior and silent cells change a candidate's probability.
--- Arguments: the array's symbol in each cell if the candidate is right; the patch as seen; the
--- candidate; its prior and silent cells.
+-- Arguments: the array's symbol at an offset as seen if the candidate is right, 'Nothing' beyond a
+-- sheet, where a silent cell changes nothing; the patch as seen; the candidate; its prior and
+-- silent cells.
 priorWeight ::
   (Position -> Maybe (GF k)) -> Patch (Belief k) -> Candidate -> CandidatePrior -> Double
 priorWeight symbolIn seen candidate known =
@@ -55,8 +57,9 @@ priorWeight symbolIn seen candidate known =
       ]
 
 -- | Multiplies candidates' probabilities by exp of a weight and renormalises. Only the 'weighable'
--- candidates are weighted; all others, and unlisted places, keep their probability. So for a list,
--- the doubt is not a bound of the result.
+-- candidates are weighted; all others, and unlisted places, count with weight 0. An unlisted place
+-- might gain by its silent cells, so if places are unlisted the new doubt is no upper bound. A
+-- posterior whose equally probable places are too many to list is returned unchanged.
 reweighed :: (Candidate -> Double) -> Posterior Candidate -> Posterior Candidate
 reweighed weightOf found
   | isJust (posteriorMany found) || all (== 0) weights = found

@@ -12,7 +12,7 @@ module PraTactile.Window.Proof
     provedArray,
     provedMask,
     provedSurface,
-    Verdict (..),
+    WindowVerdict (..),
     ProofError (..),
 
     -- * Any matrix
@@ -42,7 +42,7 @@ import PraTactile.Window.Rank
 import PraTactile.Window.Visit (visitedShape)
 
 -- | What was found about the windows of a surface, and by which method.
-data Verdict = Verdict
+data WindowVerdict = WindowVerdict
   { -- | whether all windows are distinct
     proved :: Bool,
     -- | the result of visiting every window; 'Nothing' if that was not done
@@ -77,7 +77,7 @@ data ProofError
     WindowsTooMany Natural Natural
   | -- | The two methods contradict each other, which a theorem excludes. One of them is wrong, and
     -- neither can be trusted.
-    MethodsDisagree Verdict
+    MethodsDisagree WindowVerdict
   deriving stock (Eq, Show)
 
 -- | An array with a mask and a surface on which all windows are proved to be distinct. Only 'prove'
@@ -102,7 +102,7 @@ prove ::
   KnownField k =>
   ArrayOn k ->
   Mask ->
-  Either ProofError (Verdict, Maybe (Proved k))
+  Either ProofError (WindowVerdict, Maybe (Proved k))
 prove (ArrayOn on array) mask
   | area visits == 0 = Left NoWindowOnSheet
   | otherwise = case (visited, byRank) of
@@ -135,7 +135,7 @@ prove (ArrayOn on array) mask
 
 -- | Decides whether the windows of any matrix are distinct, by visiting them all. Refuses if there
 -- is no window or too little memory. The cost is that of 'enumerate'.
-proveGrid :: Surface -> Grid -> Mask -> Either ProofError Verdict
+proveGrid :: Surface -> Grid -> Mask -> Either ProofError WindowVerdict
 proveGrid on grid mask = verdictOf on <$> visitAll on grid mask
 
 visitAll :: Surface -> Grid -> Mask -> Either ProofError Enumeration
@@ -146,7 +146,7 @@ refused e = case e of
   NoWindow -> NoWindowOnSheet
   TooManyWindows contents positions -> WindowsTooMany contents positions
 
-verdictOf :: Surface -> Enumeration -> Verdict
+verdictOf :: Surface -> Enumeration -> WindowVerdict
 verdictOf on seen =
   (unvisited on)
     { proved = allDistinct seen,
@@ -156,9 +156,9 @@ verdictOf on seen =
       zeroWindow = zeroPosition seen
     }
 
-unvisited :: Surface -> Verdict
+unvisited :: Surface -> WindowVerdict
 unvisited on =
-  Verdict
+  WindowVerdict
     { proved = False,
       enumeration = Nothing,
       rankDecision = Nothing,

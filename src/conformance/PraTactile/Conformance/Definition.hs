@@ -4,7 +4,7 @@
 -- large arrays and too simple to be wrong. It is a second, independent way to every answer: nothing
 -- here calls the algebra, the arrays or the decoders of this library.
 module PraTactile.Conformance.Definition
-  ( Known,
+  ( ProfileFacts,
     Unknown (..),
     unknownText,
     known,
@@ -25,7 +25,7 @@ import PraTactile.Conformance.Operations
 import PraTactile.Conformance.Question
 
 -- | The answer to a question of the code, or its refusal.
-expected :: Known -> Question a -> Either Refusal a
+expected :: ProfileFacts -> Question a -> Either Refusal a
 expected k = fromMaybe (Left (Refusal "not-offered")) . meant (Just k)
 
 -- | The answer to a question that needs no profile, or its refusal. 'Nothing' for a question that
@@ -34,7 +34,7 @@ expected k = fromMaybe (Left (Refusal "not-offered")) . meant (Just k)
 expectedWithoutProfile :: Question a -> Maybe (Either Refusal a)
 expectedWithoutProfile = meant Nothing
 
-meant :: Maybe Known -> Question a -> Maybe (Either Refusal a)
+meant :: Maybe ProfileFacts -> Question a -> Maybe (Either Refusal a)
 meant about question = case question of
   op :? input -> case operationWays (recordOf op) of
     UnderProfile means _ -> (\k -> definition means k input) <$> about
@@ -45,7 +45,7 @@ meant about question = case question of
     Just (SomeQuestion asked') -> fmap (answerValue asked') <$> meant about asked'
 
 -- | Whether the last argument, an answer, is as good as the expected answer before it.
-agrees :: Known -> Question a -> a -> a -> Bool
+agrees :: ProfileFacts -> Question a -> a -> a -> Bool
 agrees k = agreesBy (Just k)
 
 -- | Whether the last argument, an answer to a question without a profile, is as good as the
@@ -53,15 +53,15 @@ agrees k = agreesBy (Just k)
 agreesWithoutProfile :: Question a -> a -> a -> Bool
 agreesWithoutProfile = agreesBy Nothing
 
-agreesBy :: Maybe Known -> Question a -> a -> a -> Bool
+agreesBy :: Maybe ProfileFacts -> Question a -> a -> a -> Bool
 agreesBy about question wanted got =
   answerValue question (likenedTo about question got wanted) == answerValue question got
 
 -- | The expected answer (the last argument) in the form of another answer to the same question.
-inFormOf :: Known -> Question a -> a -> a -> a
+inFormOf :: ProfileFacts -> Question a -> a -> a -> a
 inFormOf k = likenedTo (Just k)
 
-likenedTo :: Maybe Known -> Question a -> a -> a -> a
+likenedTo :: Maybe ProfileFacts -> Question a -> a -> a -> a
 likenedTo about question got wanted = case question of
   op :? input -> case operationWays (recordOf op) of
     UnderProfile means _ -> maybe wanted (\k -> likened means k input got wanted) about
@@ -78,7 +78,7 @@ likenedTo about question got wanted = case question of
 
 -- | Why the definition gives this answer or refusal under a profile, in a sentence for an
 -- implementer who got another one: the convention that decides it, or the rule of the refusal.
-why :: Known -> Question a -> Either Refusal a -> String
+why :: ProfileFacts -> Question a -> Either Refusal a -> String
 why k question wanted = case wanted of
   Left (Refusal reason) -> ruleOf (operationOf question) reason
   Right _ -> case operationOf question of

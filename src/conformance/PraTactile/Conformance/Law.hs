@@ -2,7 +2,7 @@
 
 -- | Laws as data. A law has a permanent id, a sentence for the reader of a failure, and cases,
 -- either its whole domain under a profile or drawn ones. A case asks questions ("Ask") and is
--- judged by the definition; consistency of the implementation with itself is not enough.
+-- judged by the definition, or by whether several answers fit together.
 module PraTactile.Conformance.Law
   ( -- * Laws
     Law (..),
@@ -27,9 +27,10 @@ import PraTactile.Conformance.Stage
 import PraTactile.Format.Json.Codec (Codec)
 import Test.QuickCheck (Gen)
 
--- | A requirement on an implementation. @about@ is the subject of the law: @Law Known@ is asked
--- under one profile, of which this is known by definition; @Law [Profile]@ opens the suite's
--- profiles itself; @Law ()@, about touch or objects, has only its own cases.
+-- | A requirement on an implementation. @about@ is the subject of the law. @Law ProfileFacts@ is
+-- asked under one profile, given all that follows from it ("PraTactile.Conformance.Definition").
+-- @Law [Profile]@ opens the suite's profiles itself. @Law ()@, about touch or objects, needs no
+-- profile.
 data Law about = Law
   { -- | The stage and the property, such as @field/addition-commutes@. It never changes.
     lawId :: String,
@@ -54,7 +55,8 @@ data Cases = forall a.
 
 -- | The domain of a law's cases.
 data Domain a
-  = -- | The whole domain, in this order.
+  = -- | All cases, in this order. The first failing case is reported as it is, so small cases come
+    -- first.
     Every [a]
   | -- | Drawn cases, and the smaller cases to try instead of a failing one.
     Some (Gen a) (a -> [a])
@@ -62,16 +64,18 @@ data Domain a
 -- | The judgement of a case.
 data Verdict
   = Holds
-  | -- | The law does not apply to it.
+  | -- | The law does not apply to the case. It is not counted; instead of a drawn case another one
+    -- is drawn.
     Inapplicable
   | Violated Violation
   deriving stock (Eq, Show)
 
 -- | How a case violates a law.
 data Violation = Violation
-  { -- | The questions and answers. The last one is wrong, or all of them together.
+  { -- | The questions and replies in order. Either the last reply is wrong, or the replies do not
+    -- fit together.
     violationAsked :: [Exchange],
-    -- | The expected reply.
+    -- | The reply that was expected to the last question.
     violationExpected :: Reply,
     -- | The source of the expectation: the definition, a theorem, or another answer of the same
     -- implementation.
@@ -92,6 +96,8 @@ data Exchange = Exchange
 
 -- | A reply in the protocol's JSON.
 data Reply
-  = Result Value
-  | RefusedFor String
+  = -- | The result.
+    Result Value
+  | -- | Refused, with the stable name of the reason, such as @zero-window@.
+    RefusedFor String
   deriving stock (Eq, Show)

@@ -6,7 +6,7 @@ module PraTactile.Conformance.Laws
   )
 where
 
-import PraTactile.Conformance.Definition (Known, knownProfile)
+import PraTactile.Conformance.Definition (ProfileFacts, knownProfile)
 import PraTactile.Conformance.Law
 import PraTactile.Conformance.Laws.Array
 import PraTactile.Conformance.Laws.Chances
@@ -25,7 +25,7 @@ import PraTactile.Conformance.Laws.Sequence
 import PraTactile.Conformance.Laws.Stitch
 
 -- | The laws of questions under a profile, in the order of writing a decoder.
-laws :: [Law Known]
+laws :: [Law ProfileFacts]
 laws =
   concat
     [ fieldLaws,
@@ -37,7 +37,7 @@ laws =
     ]
 
 -- | No cases are drawn for laws that compare positions if the array is vast.
-notDrawnOfVast :: Law Known -> Law Known
+notDrawnOfVast :: Law ProfileFacts -> Law ProfileFacts
 notDrawnOfVast one = one {lawCases = \about -> few about (lawCases one about)}
   where
     few about cases@(Cases form domain trial) = case domain of

@@ -20,7 +20,7 @@ where
 import Data.Aeson (Value)
 import Numeric.Natural (Natural)
 import PraTactile.Conformance.Answer (Wire)
-import PraTactile.Conformance.Definition.Array (Known)
+import PraTactile.Conformance.Definition.Array (ProfileFacts)
 import PraTactile.Conformance.Library.Prepared (Prepared)
 import PraTactile.Conformance.Question (Code, Refusal)
 import PraTactile.Conformance.Stage (Stage)
@@ -51,7 +51,7 @@ data Operation i o = Show i =>
 -- | How the answers are known, and the library's own answer.
 data Ways i o
   = -- | Under a profile, by definition.
-    UnderProfile (Meaning Known i o) (forall k. KnownField k => Prepared k -> i -> Wire o)
+    UnderProfile (Meaning ProfileFacts i o) (forall k. KnownField k => Prepared k -> i -> Wire o)
   | -- | Without a profile, by definition.
     WithoutProfile (Meaning () i o) (i -> Wire o)
   | -- | Without a profile, by the truth of a scene that a law draws; with an example input.

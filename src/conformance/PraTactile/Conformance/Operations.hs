@@ -36,7 +36,7 @@ where
 import Data.Aeson (Value, object)
 import Data.Maybe (fromMaybe)
 import Numeric.Natural (Natural)
-import PraTactile.Conformance.Definition.Array (Known, known)
+import PraTactile.Conformance.Definition.Array (ProfileFacts, known)
 import PraTactile.Conformance.Operation
 import qualified PraTactile.Conformance.Operations.Arrays as Arrays
 import qualified PraTactile.Conformance.Operations.Fields as Fields
@@ -159,15 +159,18 @@ raw some = SomeQuestion (Raw some (object []))
 
 -- | Questions of an operation that every profile answers, with small numbers, and with large ones
 -- where any size is allowed.
-typicalOf :: Known -> SomeOp -> [SomeQuestion]
+typicalOf :: ProfileFacts -> SomeOp -> [SomeQuestion]
 typicalOf = inputsUnder typical
 
 -- | Questions of an operation that are refused, each for another reason.
-refusedOf :: Known -> SomeOp -> [SomeQuestion]
+refusedOf :: ProfileFacts -> SomeOp -> [SomeQuestion]
 refusedOf k some = raw some : inputsUnder refused k some
 
 inputsUnder ::
-  (forall i o. Meaning Known i o -> Known -> [i]) -> Known -> SomeOp -> [SomeQuestion]
+  (forall i o. Meaning ProfileFacts i o -> ProfileFacts -> [i]) ->
+  ProfileFacts ->
+  SomeOp ->
+  [SomeQuestion]
 inputsUnder inputs k (SomeOp op) = case recordOf op of
   it@Operation {} -> case operationWays it of
     UnderProfile means _ -> map (SomeQuestion . (op :?)) (inputs means k)

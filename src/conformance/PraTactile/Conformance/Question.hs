@@ -142,7 +142,7 @@ data Op i o where
   Register :: Op (Maybe Drawings, Pair) Registered
   -- | The displacement of each frame from its nominal place, at most the given number of taxels
   -- along each axis.
-  Stitch :: Op (Maybe Drawings, Natural, [Placed]) [Taxels]
+  Stitch :: Op (Maybe Drawings, Natural, [NominalFrame]) [Taxels]
   -- | The symbols that lie wholly in a composite.
   Segment :: Op Rows [Symbol]
   -- | The values of a network's output units.

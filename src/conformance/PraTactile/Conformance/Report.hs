@@ -4,7 +4,7 @@ module PraTactile.Conformance.Report
     Report (..),
     LawReport (..),
     untried,
-    Outcome (..),
+    LawOutcome (..),
     outcomeName,
     countOf,
     casesOf,
@@ -54,7 +54,7 @@ data LawReport = LawReport
     lawReportSource :: !String,
     -- | The profile's name; 'Nothing' for a law about opening profiles or about the protocol.
     lawReportProfile :: !(Maybe String),
-    lawReportOutcome :: !Outcome,
+    lawReportOutcome :: !LawOutcome,
     lawReportCases :: !Int,
     lawReportExhaustive :: !Bool,
     lawReportCounterexample :: !(Maybe Counterexample),
@@ -81,7 +81,7 @@ untried name stage sentence source =
     }
 
 -- | The outcome of a law.
-data Outcome
+data LawOutcome
   = Held
   | Failed
   | Skipped
@@ -91,7 +91,7 @@ data Outcome
   deriving stock (Eq, Ord, Show, Enum, Bounded)
 
 -- | The name of an outcome in reports.
-outcomeName :: Outcome -> String
+outcomeName :: LawOutcome -> String
 outcomeName outcome = case outcome of
   Held -> "held"
   Failed -> "failed"
@@ -100,7 +100,7 @@ outcomeName outcome = case outcome of
   KnownFailure -> "known-failure"
 
 -- | The number of laws with this outcome, counted once per profile.
-countOf :: Outcome -> Report -> Int
+countOf :: LawOutcome -> Report -> Int
 countOf outcome = length . filter ((== outcome) . lawReportOutcome) . reportLaws
 
 -- | The number of judged cases in all.

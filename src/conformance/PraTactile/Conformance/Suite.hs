@@ -16,7 +16,7 @@ import PraTactile.Profile (Profile)
 
 -- | All laws under the given named profiles. 'Left' with the first profile that the definition
 -- cannot handle, and the reason ('known').
-standardSuite :: [(String, Profile)] -> Either (String, Unknown) (Suite Known)
+standardSuite :: [(String, Profile)] -> Either (String, Unknown) (Suite ProfileFacts)
 standardSuite profiles = suite <$> traverse possible profiles
   where
     possible (name, profile) =
@@ -39,6 +39,6 @@ noSuiteText :: (String, Unknown) -> String
 noSuiteText (name, unknown) = name ++ ": " ++ unknownText unknown
 
 -- | The definition's answer, as a reply of the protocol.
-answered :: Known -> SomeQuestion -> Reply
+answered :: ProfileFacts -> SomeQuestion -> Reply
 answered about (SomeQuestion question) =
   either (RefusedFor . refusalReason) (Result . answerValue question) (expected about question)

@@ -93,7 +93,7 @@ vectorProfiles :: [(String, Profile)]
 vectorProfiles = defaultProfiles
 
 -- | Both ways to the answers, under a profile or without one.
-data Prepared = Prepared (Maybe Known) Session
+data Prepared = Prepared (Maybe ProfileFacts) Session
 
 -- | The ways to answers that need no profile.
 withoutAProfile :: Prepared
@@ -146,7 +146,7 @@ grouped seed op ways (Group source inputs) = case inputs of
     asking = SomeQuestion . (op :?)
 
 -- | Inputs with a missing key or a value of another type, which are refused.
-refusals :: Known -> Op i o -> (String, String) -> (String, TestProof, [SomeQuestion])
+refusals :: ProfileFacts -> Op i o -> (String, String) -> (String, TestProof, [SomeQuestion])
 refusals k op ways =
   ( "Inputs of the wrong form, or nearly so.",
     uncurry TwoRoads ways,
@@ -223,7 +223,7 @@ flagsOf profile several (SomeQuestion question) = case (question, profile) of
   _ -> []
 
 digested ::
-  Known -> Session -> (String, [Question a], a -> Code) -> ExceptT String IO Digest
+  ProfileFacts -> Session -> (String, [Question a], a -> Code) -> ExceptT String IO Digest
 digested k session (over, questions, code) = do
   got <- lift (runExceptT (traverse (answerTo session) questions))
   if codes got == codes (traverse (expected k) questions)

@@ -15,7 +15,7 @@ module PraTactile.Format.Evaluation
     encodeEvaluation,
 
     -- * Shards
-    Part (..),
+    EvaluationShard (..),
     isInPart,
     partSize,
     beginning,
@@ -164,7 +164,7 @@ poseValue counts =
 
 -- | A shard of an evaluation: number I of N shards, counted from 1. It has the presses I, I + N, I
 -- + 2 N, ...
-data Part = Part
+data EvaluationShard = EvaluationShard
   { -- | I
     partNumber :: Int,
     -- | N
@@ -176,25 +176,25 @@ data Part = Part
   deriving stock (Eq, Show)
 
 -- | Whether a shard has the press with this number, counted from 1.
-isInPart :: Part -> Int -> Bool
+isInPart :: EvaluationShard -> Int -> Bool
 isInPart part number = (number - partNumber part) `mod` partOf part == 0
 
 -- | The number of presses of a shard.
-partSize :: Evaluation -> Part -> Int
+partSize :: Evaluation -> EvaluationShard -> Int
 partSize evaluation part =
   (evaluationPresses evaluation - partNumber part) `div` partOf part + 1
 
-partKeys :: Keys Part Part
+partKeys :: Keys EvaluationShard EvaluationShard
 partKeys =
-  (\(number, count) -> Part number count)
+  (\(number, count) -> EvaluationShard number count)
     <$> key "shard" (such valid NotShard (pairOf int)) (\it -> (partNumber it, partOf it))
     <*> key "setting" text partSetting
   where
     valid (number, count) = 1 <= number && number <= count
 
-pressKeys :: Keys Press Press
+pressKeys :: Keys PressResult PressResult
 pressKeys =
-  Press
+  PressResult
     <$> key "press" int pressNumber
     <*> ( TrialResult
             <$> key "stitching" outcome (withStitching . pressResult)
@@ -229,7 +229,7 @@ outcome = via parts one (object keys)
       _ -> refuse NotOutcome
 
 -- | The first line of a shard's file.
-beginning :: Evaluation -> Part -> ByteString
+beginning :: Evaluation -> EvaluationShard -> ByteString
 beginning evaluation part = Bytes.take (Bytes.length keys - 1) keys <> opened <> "\n"
   where
     keys = Lazy.toStrict (encodeLine (series evaluationKeys evaluation <> series partKeys part))
@@ -240,7 +240,7 @@ opened = ",\"results\":["
 
 -- | The line of a press in a shard's file. Applied to the evaluation and the shard alone, it
 -- computes their digest once.
-pressLine :: Evaluation -> Part -> Press -> ByteString
+pressLine :: Evaluation -> EvaluationShard -> PressResult -> ByteString
 pressLine evaluation part =
   let keys = checkedKeys (digestOf (beginning evaluation part))
    in \press ->
@@ -249,12 +249,12 @@ pressLine evaluation part =
           <> "\n"
 
 -- | The keys of a press and its 'checkOf'. The argument is the digest of the first line.
-checkedKeys :: String -> Keys Press (Press, String)
+checkedKeys :: String -> Keys PressResult (PressResult, String)
 checkedKeys header = (,) <$> pressKeys <*> key "check" text (checkOf header)
 
 -- | The check of a press: the first 16 digits of the SHA-256 of the first line's digest and the
 -- press. No press of another evaluation or shard has the same.
-checkOf :: String -> Press -> String
+checkOf :: String -> PressResult -> String
 checkOf header press = take 16 (digestOf (Bytes.pack header <> writeLine pressKeys press))
 
 -- | The last line of a shard's file.
@@ -264,9 +264,9 @@ ending counts = "]," <> Bytes.drop 1 (Lazy.toStrict (encodeLine (countsSeries co
 -- | The contents of a shard's file.
 data Contents = Contents
   { contentsEvaluation :: Evaluation,
-    contentsPart :: Part,
+    contentsPart :: EvaluationShard,
     -- | the presses whose lines are complete, in order from the shard's first press
-    contentsPresses :: [Press],
+    contentsPresses :: [PressResult],
     -- | whether all presses and the last line are there
     contentsFinished :: Bool,
     -- | the length of the file up to the end of the last press's line, in bytes
@@ -323,7 +323,7 @@ contentsOf bytes = do
 
 -- | The evaluation and the shard of a file, from its first line. Refuses another first line
 -- ('NoShard').
-headingOf :: ByteString -> Either EvaluationFileError (Evaluation, Part)
+headingOf :: ByteString -> Either EvaluationFileError (Evaluation, EvaluationShard)
 headingOf bytes = case Bytes.stripSuffix opened (Bytes.takeWhile (/= '\n') bytes) of
   Nothing -> Left (NoShard (Misfit [] NotListed))
   Just keys -> first NoShard (decodeWith headingKeys (keys <> "}"))
@@ -362,7 +362,7 @@ merged shards@((file, one) :| _) = do
     heading it = (contentsEvaluation it, contentsPart it)
 
 -- | The keys in which the first lines of two shards' files differ.
-differing :: (Evaluation, Part) -> (Evaluation, Part) -> [String]
+differing :: (Evaluation, EvaluationShard) -> (Evaluation, EvaluationShard) -> [String]
 differing one other =
   [ Key.toString name
     | name <- KeyMap.keys (KeyMap.union (keysOf one) (keysOf other)),

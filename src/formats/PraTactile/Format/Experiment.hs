@@ -22,10 +22,10 @@ import PraTactile.Shape (alphabetSize)
 import PraTactile.SymbolImages (sourceName, sourceSensor, symbolShapes)
 
 -- | The table as one line, without its line end.
-encodeExperiment :: [(Row, Outcome)] -> ByteString
+encodeExperiment :: [(Row, RowResult)] -> ByteString
 encodeExperiment table = encodeSchema "experiment/1" ("rows" .= map rowValue table)
 
-rowValue :: (Row, Outcome) -> Value
+rowValue :: (Row, RowResult) -> Value
 rowValue (row, outcome) =
   object
     [ "training" .= trainingName (rowTraining row),
@@ -45,14 +45,14 @@ rowValue (row, outcome) =
     spread (Spread m l g) = object ["median" .= m, "least" .= l, "greatest" .= g]
 
 -- | The paper's figure for a row, if the paper gives it (only for four shapes).
-paperOf :: (Row, Outcome) -> Maybe Double
+paperOf :: (Row, RowResult) -> Maybe Double
 paperOf (row, outcome)
   | rowVaried row == Nothing && alphabetSize (symbolShapes (rowSymbols row)) == 4 =
     paperPercent (outcomeMiddle outcome)
   | otherwise = Nothing
 
 -- | The table as CSV, with a heading.
-rowsCsv :: [(Row, Outcome)] -> String
+rowsCsv :: [(Row, RowResult)] -> String
 rowsCsv table = csv (heading : map line table)
   where
     heading =
@@ -66,7 +66,7 @@ rowsCsv table = csv (heading : map line table)
         ++ [shown (paperOf (row, outcome))]
 
 -- | The errors of the table's rows at each noise level as CSV, with a heading.
-levelsCsv :: [(Row, Outcome)] -> String
+levelsCsv :: [(Row, RowResult)] -> String
 levelsCsv table = csv (heading : concatMap block table)
   where
     heading = rowHeading ++ ["noise"] ++ ["error_percent_" ++ part | part <- spreadParts]
@@ -79,7 +79,7 @@ rowHeading, spreadParts :: [String]
 rowHeading = ["training", "middle", "varied", "set", "sensor", "seeds"]
 spreadParts = ["median", "least", "greatest"]
 
-rowCells :: (Row, Outcome) -> [String]
+rowCells :: (Row, RowResult) -> [String]
 rowCells (row, outcome) =
   [ trainingName (rowTraining row),
     middleName (outcomeMiddle outcome),

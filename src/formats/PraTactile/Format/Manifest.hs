@@ -28,19 +28,21 @@ import PraTactile.Sensor.Frame
 import PraTactile.Sensor.Manifest
 import PraTactile.Source (frameImages)
 
--- | A manifest as one line, without its line end.
+-- | A manifest as one line, without its line end. A pitch that is not stated is written as
+-- 'taxelPitch'.
 encodeManifest :: Manifest -> ByteString
 encodeManifest = writeLine manifestKeys
 
--- | Reads the JSON of 'encodeManifest'. Optional are @frame@, @axes@, @full_scale@, and in an entry
--- its pose (as a whole) and its force. Refuses another schema, a pitch outside 'taxelPitches', a
--- full scale outside 'fullScales', unknown axes, a manifest without frames, and invalid file names.
+-- | Reads the JSON of 'encodeManifest'. Required are @taxel_mm@ and @frames@; optional are @frame@,
+-- @axes@, @full_scale@, and in an entry its pose (as a whole) and its force. Refuses another
+-- schema, a pitch outside 'taxelPitches', a full scale outside 'fullScales', unknown axes, a
+-- manifest without frames, and invalid file names.
 decodeManifest :: ByteString -> Either FormatError Manifest
 decodeManifest = decodeWith manifestKeys
 
 -- | The files of a folder of frames, by name: its manifest and its images. Arguments: the image
--- format; the sensor's grid; the bits of its readings, 0 for real numbers; the frames. Images have
--- 256 grey values, or 2^bits if the readings have more than 8 bits. The manifest is CSV for the
+-- format; the sensor's grid; the bits of its readings, 1 to 16 (not checked), or 0 for real
+-- numbers; the frames. Images have 2^bits grey values, at least 256. The manifest is CSV for the
 -- standard grid and at most 8 bits, otherwise JSON. Refuses what 'frameImages' refuses.
 folderFiles ::
   ImageFormat -> TaxelGrid -> Int -> [Frame] -> Either ImageError [(FilePath, ByteString)]
@@ -49,8 +51,8 @@ folderFiles format grid bits frames = do
   pure (manifest entries : Map.toList images)
   where
     top = if bits <= 8 then 255 else 2 ^ bits - 1
-    -- A PGM file states full scale itself; in the others it is that of 8 or 16 bits, if none is
-    -- stated.
+    -- A PGM file states its full scale. Readers of the others take 255 or 65535 unless the manifest
+    -- states one.
     full = if format == Pgm || top `elem` [255, 65535] then Nothing else Just (fromIntegral top)
     manifest entries
       | grid == standardTaxelGrid && bits <= 8 = (manifestName, renderManifest entries)

@@ -31,13 +31,14 @@ import PraTactile.Object.Placement
 import PraTactile.Object.WingedEdge
 import PraTactile.Profile
 
--- | 'Whereabouts' in the form of its keys.
+-- | 'Whereabouts' as one record with a field for each JSON key.
 data WhereaboutsReport = WhereaboutsReport
   { -- | where the window lies; 'Nothing' if nothing was located
     whereOn :: Maybe On,
     -- | the face, if the window lies on a single one
     whereFace :: Maybe Face,
-    -- | all faces that the window touches; the list may be limited
+    -- | the face, or all faces that the window straddles, in the placement's order; empty if the
+    -- window lies on no object, even if some of its cells lie on a face
     whereFaces :: [Face],
     -- | the nearest vertex, if only one is nearest
     whereCorner :: Maybe VertexName,
@@ -88,7 +89,7 @@ whereaboutsKeys =
     <*> key "corners" (listOf vertex) whereCorners
     <*> key "place_mm" (nullable millimetres) whereMillimetres
   where
-    -- Integers are written without a fraction.
+    -- By way of 'Value', which writes 25 millimetres as 25 and not as 25.0.
     millimetres = case pairOf real of
       two -> Codec (schemaOf two) (writeValue two) (readValue two)
     report on object' face = WhereaboutsReport on (Face <$> object' <*> face)
@@ -115,7 +116,8 @@ encodeWhereabouts profile at place =
       <> "position" .= positionValue at
       <> series whereaboutsKeys (whereaboutsReport (Just place))
 
--- | The line for a refused request of a batch, with the reason, without its line end.
+-- | The line for a malformed request of a batch, without its line end: the outcome @invalid@, the
+-- reason @bad-input@, and the given message to the user.
 encodeNoWhereabouts :: Profile -> String -> ByteString
 encodeNoWhereabouts profile why =
   encodeSchema schema $

@@ -5,7 +5,7 @@ module PraTactile.Format.Place
   ( PlaceReport (..),
     ReportedLaying (..),
     reportedSymbols,
-    Outcome (..),
+    PlaceOutcome (..),
     MaskProof (..),
     outcomeName,
     reasonName,
@@ -32,7 +32,7 @@ import PraTactile.Profile
 
 -- | The result of a search for a placement.
 data PlaceReport = PlaceReport
-  { placeOutcome :: Outcome,
+  { placeOutcome :: PlaceOutcome,
     -- | the name of the reason why there is no placement, if that is proved: by 'reasonName', or
     -- 'nothingCarriedName'
     placeReason :: Maybe String,
@@ -63,7 +63,7 @@ reportedSymbols :: ReportedLaying -> Integer
 reportedSymbols = genericLength . blockCells . layBlock . reportedLaying
 
 -- | Whether there is a placement.
-data Outcome = IsPlaced | IsImpossible | IsNotFound
+data PlaceOutcome = IsPlaced | IsImpossible | IsNotFound
   deriving stock (Eq, Show, Enum, Bounded)
 
 -- | The rank of the contents of a face's cells, and their distance with the cells whose loss it
@@ -75,7 +75,7 @@ data MaskProof = MaskProof
   deriving stock (Eq, Show)
 
 -- | The stable name of an outcome.
-outcomeName :: Outcome -> String
+outcomeName :: PlaceOutcome -> String
 outcomeName outcome = case outcome of
   IsPlaced -> "placed"
   IsImpossible -> "impossible"

@@ -2,7 +2,7 @@
 
 -- | The JSON that the commands @prove@ and @check@ print.
 module PraTactile.Format.Proof
-  ( Subject (..),
+  ( ProvedArray (..),
     subjectShape,
     encodeProof,
     encodeCheck,
@@ -23,20 +23,20 @@ import PraTactile.Window.Distance
 import PraTactile.Window.Proof
 
 -- | The array whose windows are proved.
-data Subject
+data ProvedArray
   = OfProfile Profile
   | -- | the name of a file, and the array in it
     OfFile String Grid
 
 -- | The shape of the array.
-subjectShape :: Subject -> Shape
+subjectShape :: ProvedArray -> Shape
 subjectShape subject = case subject of
   OfProfile profile -> profileShape profile
   OfFile _ grid -> gridShape grid
 
 -- | The verdict whether all windows are distinct, as one line without its line end. Arguments: the
 -- array; the window; the verdict; the windows' minimum distance, if it is known.
-encodeProof :: Subject -> Mask -> Verdict -> Maybe Distance -> ByteString
+encodeProof :: ProvedArray -> Mask -> WindowVerdict -> Maybe Distance -> ByteString
 encodeProof subject mask verdict apart =
   encodeSchema "prove/1" $
     subjectSeries subject
@@ -52,7 +52,7 @@ encodeProof subject mask verdict apart =
       <> "failing_erasure" .= fmap (map positionListValue . failingErasure) apart
       <> "collision" .= fmap (\(a, b) -> map positionListValue [a, b]) (collision verdict)
 
-subjectSeries :: Subject -> Series
+subjectSeries :: ProvedArray -> Series
 subjectSeries subject = case subject of
   OfProfile profile -> "profile" .= profileValue profile
   OfFile name grid ->

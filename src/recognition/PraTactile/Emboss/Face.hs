@@ -19,7 +19,7 @@ module PraTactile.Emboss.Face
     outlineSpot,
 
     -- * Faces
-    Surface (..),
+    RaisedMesh (..),
     raisedFace,
     region,
   )
@@ -84,7 +84,7 @@ outlineSpot (Position i j) (x, y) =
 -- | What a raised face adds to a mesh. The points are new: the corners of the face are not among
 -- them. The triangles are counter-clockwise as seen from outside, by indices in the mesh:
 -- 'raisedFace' is given the indices of the face's corners, and the first one for new points.
-data Surface = Surface
+data RaisedMesh = RaisedMesh
   { surfacePoints :: [ExactPoint],
     surfaceTriangles :: [(Int, Int, Int)]
   }
@@ -92,9 +92,9 @@ data Surface = Surface
 -- | A face with its symbols raised. Arguments: the symbols' height in millimetres; the face's
 -- chart; the indices of the face's corners; the first index for new points; the symbols and their
 -- cells.
-raisedFace :: Rational -> Chart -> U.Vector Int -> Int -> [(Position, Stamp)] -> Surface
+raisedFace :: Rational -> Chart -> U.Vector Int -> Int -> [(Position, Stamp)] -> RaisedMesh
 raisedFace height chart walk from symbols =
-  Surface
+  RaisedMesh
     { surfacePoints = [pointOn chart z spot | spot <- outlined, z <- [0, height]],
       surfaceTriangles =
         [(base a, base b, base c) | (a, b, c) <- ground]

@@ -24,11 +24,11 @@ import qualified Data.Set as Set
 import PraTactile.Array (Position (..))
 import PraTactile.Geometry (columnPitch, rowPitch, toDegrees)
 import PraTactile.Recognise.Reading
-import PraTactile.Segmentation.Lattice (Cell, halfTurned, pitchTolerance)
+import PraTactile.Segmentation.Lattice (ClusterCell, halfTurned, pitchTolerance)
 import PraTactile.Symmetry
 
 -- | The symbols read in each cell. A cell has several where several composites show it.
-type Cells = Map Cell [ReadSymbol]
+type Cells = Map ClusterCell [ReadSymbol]
 
 -- | Symbols along one axis, on a common grid.
 data FaceGrid = FaceGrid
@@ -115,24 +115,24 @@ placeSd = 0.5
 shownErrors :: [(Double, Double)]
 shownErrors = [(0.99, 1.5), (0.01, 4)]
 
-movedBy :: Cell -> Map Cell a -> Map Cell a
+movedBy :: ClusterCell -> Map ClusterCell a -> Map ClusterCell a
 movedBy (di, dj) = Map.mapKeysMonotonic (\(i, j) -> (i + di, j + dj))
 
 -- | Shifts the cells so that no row or column is below 0.
-fromZero :: Map Cell a -> Map Cell a
+fromZero :: Map ClusterCell a -> Map ClusterCell a
 fromZero cells = movedBy (negate i, negate j) cells
   where
     (i, j) = firstOf cells
 
 -- | The least row and the least column of the cells, at most 0.
-firstOf :: Map Cell a -> Cell
+firstOf :: Map ClusterCell a -> ClusterCell
 firstOf cells = (first fst, first snd)
   where
     first part = minimum (0 : map part (Map.keys cells))
 
 -- | The rows and columns from the first group's cell (0, 0) to the second's. 'Nothing' if the
 -- distance is not a whole number of cells, within 'pitchTolerance'.
-displacement :: Group -> Group -> Maybe Cell
+displacement :: Group -> Group -> Maybe ClusterCell
 displacement a b = (,) <$> whole snd rowPitch <*> whole fst columnPitch
   where
     whole part pitch
@@ -144,17 +144,17 @@ displacement a b = (,) <$> whole snd rowPitch <*> whole fst columnPitch
 
 -- | Cells counted along the symbols' axes, as they lie on a face seen in this orientation: turned
 -- by 180 degrees if the face is upside down.
-seenOnFace :: Symmetry -> Map Cell a -> Map Cell a
+seenOnFace :: Symmetry -> Map ClusterCell a -> Map ClusterCell a
 seenOnFace orientation
   | quarterTurns orientation >= 2 = halfTurned
   | otherwise = id
 
 -- | The cells row by row, with 'Nothing' in the gaps; no rows if there are no cells.
-gridRows :: Map Cell a -> [[Maybe a]]
+gridRows :: Map ClusterCell a -> [[Maybe a]]
 gridRows cells = [[Map.lookup (i, j) cells | j <- extent snd] | i <- extent fst]
   where
     extent part = [0 .. maximum (-1 : map part (Map.keys cells))]
 
 -- | A cell of the grid as an offset. Its row and column must not be negative.
-offsetOf :: Cell -> Position
+offsetOf :: ClusterCell -> Position
 offsetOf (i, j) = Position (fromIntegral i) (fromIntegral j)

@@ -5,7 +5,7 @@
 -- them, on one grid.
 module PraTactile.Recognise.FaceReading
   ( FaceReading (..),
-    Reading (..),
+    AxisReading (..),
     GridReading (..),
     readFace,
     bySegmentation,
@@ -34,14 +34,14 @@ data FaceReading = FaceReading
   { -- | regions of the composites that are not symbols
     faceForeign :: [Reject],
     -- | the reading of the composites as given
-    faceAsGiven :: Reading,
+    faceAsGiven :: AxisReading,
     -- | if the symbols are not nearly upright by their 'skew': that angle, the maps from places of
     -- the upright composites to the given ones, and the reading of the upright composites
-    faceUpright :: Maybe (Double, [(Double, Double) -> (Double, Double)], Reading)
+    faceUpright :: Maybe (Double, [(Double, Double) -> (Double, Double)], AxisReading)
   }
 
 -- | Composites read along the axis of most symbols.
-data Reading = Reading
+data AxisReading = AxisReading
   { -- | regions that are not complete symbols, in the composites' pixels
     readingRejects :: [Reject],
     -- | the symbols, or a recognition with the reason why they cannot be located
@@ -115,7 +115,7 @@ inLattices reader given = do
                 }
           Nothing -> Left (unanswered symbols GridContradicts)
   isMirrored <- if null (known symbols) then cellsMirrored reader symbols else pure False
-  pure . (\shown -> FaceReading foreignThings (Reading [] shown) Nothing) $
+  pure . (\shown -> FaceReading foreignThings (AxisReading [] shown) Nothing) $
     if
         | isMirrored -> Left (unanswered symbols (Mirrored (unmirroring composites)))
         | null symbols -> Left (unanswered symbols NoSymbols)
@@ -131,7 +131,7 @@ inLattices reader given = do
 
 -- | Reads composites whose symbols' axes are nearly the composites' own. The angle between them, in
 -- degrees clockwise, is given if the images show it.
-readUpright :: Reader -> Maybe Double -> [ForeignMasked] -> Either NetworkError Reading
+readUpright :: Reader -> Maybe Double -> [ForeignMasked] -> Either NetworkError AxisReading
 readUpright reader angle composites = do
   upright <- readSymbols reader identity 0 composites
   -- If the upright symbols are known there are no others; a flat composite has none.
@@ -146,7 +146,7 @@ readUpright reader angle composites = do
         | otherwise = (upright, sideways)
   isMirrored <-
     if null (known views) && not flat then readMirrored reader composites else pure False
-  pure . Reading (concatMap viewRejects views) $
+  pure . AxisReading (concatMap viewRejects views) $
     if isMirrored
       then Left (unanswered (concatMap viewSymbols views ++ known others) (Mirrored remedy))
       else onOneGrid reader angle views (known others)

@@ -21,7 +21,7 @@ import PraTactile.Recognise.Reading
 import PraTactile.Recognise.Recognition
 import PraTactile.Registration (Composite)
 import PraTactile.Segmentation (Reject (..), SymbolImage (..))
-import PraTactile.Segmentation.Lattice (Cell, neighbour)
+import PraTactile.Segmentation.Lattice (ClusterCell, neighbour)
 
 -- | What segmentation finds in a composite. All places and displacements are in pixels along the
 -- composite's axes, x to the right and y down.
@@ -80,13 +80,18 @@ features reader composite = shown <$> bySegmentation reader [composite]
         asGiven = faceAsGiven seen
 
 -- | The complete symbols of a reading.
-symbolsOf :: Reading -> [ReadSymbol]
+symbolsOf :: AxisReading -> [ReadSymbol]
 symbolsOf = either recognisedSymbols gridReadingSymbols . readingOnGrid
 
 -- | The features of a reading. Arguments: regions that are not symbols; the angle by which the
 -- composite was set upright, in degrees clockwise; a map from places of the upright composite to
 -- the given one; the reading of the upright composite.
-featuresOf :: [Reject] -> Double -> ((Double, Double) -> (Double, Double)) -> Reading -> Features
+featuresOf ::
+  [Reject] ->
+  Double ->
+  ((Double, Double) -> (Double, Double)) ->
+  AxisReading ->
+  Features
 featuresOf foreignThings angle back reading =
   Features
     { featuresSymbols = map featured symbols,
@@ -115,7 +120,7 @@ featuresOf foreignThings angle back reading =
 -- axes: one angle for all symbols. The neighbours' displacements give an estimate by least squares.
 -- It is shrunk towards 0 by the variances of the symbols' places and of the axes. Each element of
 -- the argument is a symbol, the cell of a neighbour relative to it, and that neighbour.
-offAxis :: [(SymbolImage, Cell, SymbolImage)] -> Double
+offAxis :: [(SymbolImage, ClusterCell, SymbolImage)] -> Double
 offAxis steps = toDegrees (weight * atan2 (total across) (total along))
   where
     -- The list has each pair of neighbours twice.

@@ -24,7 +24,7 @@ import PraTactile.Object.Placement
 import PraTactile.Recognise.GridLocation
 import PraTactile.Recognise.Reading
 import PraTactile.Recognise.Recogniser
-import PraTactile.Segmentation.Lattice (Cell)
+import PraTactile.Segmentation.Lattice (ClusterCell)
 import PraTactile.Symmetry
 
 -- | The windows and symbols of composites that were located.
@@ -118,10 +118,10 @@ findingAt reader skew location position = do
 -- before the grid. On a face smaller than a window, the windows that begin on it count.
 mostFelt ::
   Shape ->
-  ([Cell] -> [LaidFace]) ->
-  Set Cell ->
+  ([ClusterCell] -> [LaidFace]) ->
+  Set ClusterCell ->
   (LaidFace -> ReadWindow -> Maybe ReadWindow) ->
-  (Cell -> [(Cell, ReadWindow)]) ->
+  (ClusterCell -> [(ClusterCell, ReadWindow)]) ->
   [ReadWindow]
 mostFelt shape facesOf known onIt windowsFrom = case facesOf (Set.toList known) of
   [laid]
@@ -169,9 +169,9 @@ windowIn ::
   Recogniser k ->
   Double ->
   GridLocation ->
-  Map Cell Int ->
-  (Cell -> Maybe Position) ->
-  Cell ->
+  Map ClusterCell Int ->
+  (ClusterCell -> Maybe Position) ->
+  ClusterCell ->
   Maybe ReadWindow
 windowIn reader skew location right place0 (i, j) = do
   position <- place0 (i, j)

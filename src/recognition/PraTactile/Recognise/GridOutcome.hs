@@ -71,8 +71,8 @@ gridOutcome reader tolerance face witnesses answered = case fmap answerOutcome <
 
 -- | The outcome for a position that is likely enough. Arguments: the findings of the known symbols;
 -- the witnesses; the position; the witnesses for and against it.
-placedAt :: Findings -> Witnesses -> Position -> Standing -> GridOutcome
-placedAt findings witnesses position (Standing agreeing wrong)
+placedAt :: Findings -> Witnesses -> Position -> WitnessSplit -> GridOutcome
+placedAt findings witnesses position (WitnessSplit agreeing wrong)
   | genericLength wrong > witnessesRadius witnesses =
     whyContradicted findings witnesses (genericLength wrong)
   | any ((>= 1) . readSeen) agreeing = Placed position

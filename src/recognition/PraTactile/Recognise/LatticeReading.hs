@@ -36,7 +36,7 @@ import PraTactile.Registration (Composite)
 import PraTactile.Registration.Model (classPrior)
 import PraTactile.Registration.Numbers (absence)
 import PraTactile.Segmentation
-import PraTactile.Segmentation.Lattice (Cell)
+import PraTactile.Segmentation.Lattice (ClusterCell)
 import PraTactile.Symmetry
 
 -- | The symbols in the cells of one composite.
@@ -48,7 +48,7 @@ data CellsRead = CellsRead
     -- | The centre of cell (0, 0) on the first composite's grid of pixels.
     cellsFirst :: !Taxels,
     -- | The symbols by row and column, counted along their axis.
-    cellsSymbols :: !(Map Cell ReadSymbol)
+    cellsSymbols :: !(Map ClusterCell ReadSymbol)
   }
 
 -- | The axis of the symbols on the first lattice, and their angle beyond it in degrees clockwise.
@@ -100,7 +100,7 @@ cellsOf skew source (own, base) lattice =
     way = if latticeHalfTurned lattice /= against then turned 2 else identity
     cells = latticeCells lattice
     along (i, j) = if against then (negate i, negate j) else (i, j)
-    centreOf :: Cell -> Taxels
+    centreOf :: ClusterCell -> Taxels
     centreOf cell =
       latticeOrigin lattice
         `plus` latticeStep lattice cell

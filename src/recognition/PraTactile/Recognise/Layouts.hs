@@ -42,7 +42,7 @@ import PraTactile.Registration
     Contradiction,
     LayoutCause (..),
   )
-import PraTactile.Segmentation.Lattice (Cell)
+import PraTactile.Segmentation.Lattice (ClusterCell)
 import PraTactile.Sensor.Manifest (standardConventions)
 import PraTactile.Symmetry
 
@@ -167,7 +167,7 @@ onSymbols cells =
     ]
 
 -- | The cells after the symbols of one composite are moved by this many rows and columns.
-sourceMoved :: Int -> Cell -> Cells -> Cells
+sourceMoved :: Int -> ClusterCell -> Cells -> Cells
 sourceMoved source (di, dj) cells =
   fromZero . Map.fromListWith (flip (++)) $
     [ (if readSource s == source then (i + di, j + dj) else (i, j), [s])
@@ -222,9 +222,9 @@ layoutDoubts reader tolerance composites shown =
         && placeOf this cell == placeOf that (rounded (there `minus` (point `minus` exactly cell)))
       where
         cell = rounded point
-    placeOf :: Likeliest -> Cell -> Maybe Position
+    placeOf :: Likeliest -> ClusterCell -> Maybe Position
     placeOf = likeliestAt reader
-    rounded :: Taxels -> Cell
+    rounded :: Taxels -> ClusterCell
     rounded (i, j) = (round i, round j)
     exactly (i, j) = (fromIntegral i, fromIntegral j)
 

@@ -21,14 +21,14 @@ import qualified Data.Map.Strict as Map
 import qualified Data.Set as Set
 import PraTactile.Array
 import PraTactile.Field
-import PraTactile.Locate hiding (Cell)
+import PraTactile.Locate
 import PraTactile.Recognise.FaceGrid
 import PraTactile.Recognise.OneFace
 import PraTactile.Recognise.Reading
 import PraTactile.Recognise.Recogniser
 import PraTactile.Recognise.SymbolBelief
 import PraTactile.Recognise.Tolerance
-import PraTactile.Segmentation.Lattice (Cell)
+import PraTactile.Segmentation.Lattice (ClusterCell)
 import PraTactile.Symmetry
 
 -- | The cells as a patch, and the decoder's answer for it.
@@ -79,7 +79,7 @@ data Likeliest = Likeliest
     -- | the position in the array of the upper left cell as the grid lies on the face
     likeliestFirst :: Position,
     -- | the greatest row and column of the cells, along the symbols' axes
-    likeliestEnd :: Cell
+    likeliestEnd :: ClusterCell
   }
   deriving stock (Eq, Show)
 
@@ -101,7 +101,7 @@ likeliestFrom reader cells answer = do
 
 -- | The position in the array of a cell of the grid, whether or not it was seen, if the place is
 -- right. 'Nothing' beyond the sheet.
-likeliestAt :: KnownField k => Recogniser k -> Likeliest -> Cell -> Maybe Position
+likeliestAt :: KnownField k => Recogniser k -> Likeliest -> ClusterCell -> Maybe Position
 likeliestAt reader found (i, j) = fst <$> cellFrom reader (likeliestFirst found) onFace
   where
     (lastRow, lastColumn) = likeliestEnd found

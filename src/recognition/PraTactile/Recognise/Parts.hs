@@ -20,7 +20,7 @@ import PraTactile.Recognise.FaceGrid
 import PraTactile.Recognise.Reading
 import PraTactile.Registration (Composite (..))
 import PraTactile.Segmentation
-import PraTactile.Segmentation.Lattice (Cell)
+import PraTactile.Segmentation.Lattice (ClusterCell)
 import PraTactile.Symmetry
 
 -- | Adds to a grid the parts of symbols that each composite shows in cells around its own symbols.
@@ -47,7 +47,7 @@ withParts reader views from grid =
 
 -- | The parts in one composite for which one symbol is more likely than all others together, each
 -- with its cell of the grid.
-partsOf :: Reader -> Cells -> SymbolView -> [(Cell, ReadSymbol)]
+partsOf :: Reader -> Cells -> SymbolView -> [(ClusterCell, ReadSymbol)]
 partsOf reader cells view =
   [ (cell, part)
     | (cell, centres) <- Map.toList expected,

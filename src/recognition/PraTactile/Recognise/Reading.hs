@@ -41,7 +41,7 @@ import PraTactile.Geometry (columnPitch, rowPitch, taxelPitch)
 import PraTactile.Image (onRaster, rasterHeight, rasterWidth)
 import PraTactile.Registration (Composite (..))
 import PraTactile.Segmentation
-import PraTactile.Segmentation.Lattice (Cell, arrange)
+import PraTactile.Segmentation.Lattice (ClusterCell, arrange)
 import qualified PraTactile.Segmentation.Lattice as Lattice
 import PraTactile.Symmetry
 
@@ -205,7 +205,7 @@ readMirrored reader composites =
 data Group = Group
   { -- | the symbol in each cell; rows and columns are along the symbols' axes, counted from the
     -- upper left. 'Nothing' if the symbols' distances contradict each other.
-    groupCells :: Maybe (Map Cell ReadSymbol),
+    groupCells :: Maybe (Map ClusterCell ReadSymbol),
     -- | the centre of the group's cell (0, 0), in pixels along the symbols' axes
     groupAnchor :: (Double, Double),
     groupSymbols :: [ReadSymbol]

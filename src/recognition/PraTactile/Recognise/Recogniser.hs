@@ -33,7 +33,7 @@ import PraTactile.Locate
 import PraTactile.Object.Canonical (canonicalPitch)
 import PraTactile.Object.Placement (Pitch, Placement, placementPitch, placementShape)
 import PraTactile.Relief (symbolScale)
-import PraTactile.Segmentation.Lattice (Cell)
+import PraTactile.Segmentation.Lattice (ClusterCell)
 import PraTactile.Shape (alphabetSize)
 import PraTactile.Window (Mask, Packing (..), maskExtent)
 
@@ -57,7 +57,7 @@ recogniserScale = fromMaybe 1 . symbolScale . placementPitch . recogniserPlaceme
 
 -- | The position in the array of a cell of a grid, and the symbol there. The first position is that
 -- of the grid's upper left cell. 'Nothing' beyond the sheet.
-cellFrom :: KnownField k => Recogniser k -> Position -> Cell -> Maybe (Position, GF k)
+cellFrom :: KnownField k => Recogniser k -> Position -> ClusterCell -> Maybe (Position, GF k)
 cellFrom reader (Position r c) (i, j) = (\place -> (place, cellAt array place)) <$> at
   where
     ArrayOn surface array = locatorArray (recogniserLocator reader)

@@ -13,7 +13,7 @@ module PraTactile.Recognise.Witnesses
     bySource,
 
     -- * For and against a position
-    Standing (..),
+    WitnessSplit (..),
     standingAt,
     mostlyWrong,
   )
@@ -27,13 +27,13 @@ import qualified Data.Set as Set
 import Numeric.Natural (Natural)
 import PraTactile.Array
 import PraTactile.Field
-import PraTactile.Locate hiding (Cell)
+import PraTactile.Locate
 import PraTactile.Recognise.FaceGrid
 import PraTactile.Recognise.Reading
 import PraTactile.Recognise.Recogniser
 import PraTactile.Recognise.SymbolBelief
 import PraTactile.Recognise.Tolerance
-import PraTactile.Segmentation.Lattice (Cell)
+import PraTactile.Segmentation.Lattice (ClusterCell)
 import PraTactile.Symmetry
 
 -- | A grid of symbols as it lies on the face.
@@ -54,7 +54,7 @@ data GridOnFace = GridOnFace
 -- | The certain symbols of a grid.
 data Witnesses = Witnesses
   { -- | the witnesses of the face's orientation, each with its cell of the face
-    witnessesKnown :: [(Cell, ReadSymbol)],
+    witnessesKnown :: [(ClusterCell, ReadSymbol)],
     -- | the witnesses of another orientation
     witnessesOtherWayUp :: [ReadSymbol],
     -- | the witnesses off the grid
@@ -102,7 +102,7 @@ bySource witnesses =
       [(readSource s, [offsetOf cell]) | (cell, s) <- witnessesKnown witnesses]
 
 -- | The witnesses that support a position and those that contradict it.
-data Standing = Standing
+data WitnessSplit = WitnessSplit
   { -- | those that agree with the array
     standingAgreeing :: [ReadSymbol],
     -- | those that disagree with the array, have another orientation, or lie off the grid
@@ -111,9 +111,9 @@ data Standing = Standing
 
 -- | Sorts the witnesses by whether they support a position. The position is that of the grid's
 -- upper left cell in the array.
-standingAt :: KnownField k => Recogniser k -> Witnesses -> Position -> Standing
+standingAt :: KnownField k => Recogniser k -> Witnesses -> Position -> WitnessSplit
 standingAt reader witnesses position =
-  Standing
+  WitnessSplit
     { standingAgreeing = map snd agreeing,
       standingWrong =
         map snd misfits ++ witnessesOtherWayUp witnesses ++ witnessesStray witnesses
@@ -124,8 +124,8 @@ standingAt reader witnesses position =
     codeIn cell = toCode . snd <$> cellFrom reader position cell
 
 -- | The numbers, from 0, of the composites that have more wrong witnesses than agreeing ones.
-mostlyWrong :: Standing -> [Int]
-mostlyWrong (Standing agreeing wrong) =
+mostlyWrong :: WitnessSplit -> [Int]
+mostlyWrong (WitnessSplit agreeing wrong) =
   [ source
     | (source, n) <- Map.toAscList (counts wrong),
       n > Map.findWithDefault 0 source (counts agreeing)

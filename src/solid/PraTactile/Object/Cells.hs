@@ -51,7 +51,12 @@ data Anchor
 -- | The upper left corner of a block, in millimetres right of and below the walk's first vertex.
 -- Arguments: the frame; the width and height of a cell in millimetres; the anchor; the numbers of
 -- rows and columns.
-blockCorner :: Frame -> (Rational, Rational) -> Anchor -> (Integer, Integer) -> (Radicals, Radicals)
+blockCorner ::
+  FaceFrame ->
+  (Rational, Rational) ->
+  Anchor ->
+  (Integer, Integer) ->
+  (Radicals, Radicals)
 blockCorner frame (right, down) anchor size = case anchor of
   Margin x y -> (fraction x, fraction y)
   Centred -> centred size (0, 0)
@@ -94,7 +99,7 @@ linesOf (Span from size) width begin = case begin of
 
 -- | The lines of a block with these numbers of rows and columns.
 linesBetween ::
-  Frame -> (Rational, Rational) -> Anchor -> (Integer, Integer) -> (Lines, Lines)
+  FaceFrame -> (Rational, Rational) -> Anchor -> (Integer, Integer) -> (Lines, Lines)
 linesBetween frame (right, down) anchor (rows, columns) =
   (linesOf (spanAcross frame) right across, linesOf (spanDown frame) down below)
   where
@@ -106,7 +111,7 @@ linesBetween frame (right, down) anchor (rows, columns) =
 -- | Whether the face is a rectangle that contains all cells of a block. Arguments: the face's
 -- frame; a cell's width and height in millimetres; where the block lies; its numbers of rows and
 -- columns. O(1).
-allOn :: Frame -> (Rational, Rational) -> Anchor -> (Integer, Integer) -> Bool
+allOn :: FaceFrame -> (Rational, Rational) -> Anchor -> (Integer, Integer) -> Bool
 allOn frame cell anchor (rows, columns) =
   isRectangle frame
     && within (frameAcross frame) (spanAcross frame) xs columns
@@ -120,13 +125,13 @@ allOn frame cell anchor (rows, columns) =
 
 -- | The cells of a block that lie on the face, by row and column within it, row by row. The
 -- arguments are those of 'allOn'. O(cells * corners).
-cellsOn :: Frame -> (Rational, Rational) -> Anchor -> (Integer, Integer) -> [(Integer, Integer)]
+cellsOn :: FaceFrame -> (Rational, Rational) -> Anchor -> (Integer, Integer) -> [(Integer, Integer)]
 cellsOn frame cell anchor size@(rows, columns) =
   cellsAmong frame cell anchor size [(r, [0 .. columns - 1]) | r <- [0 .. rows - 1]]
 
 -- | 'cellsOn' for only some cells of the block, given by their rows and the columns in each.
 cellsAmong ::
-  Frame ->
+  FaceFrame ->
   (Rational, Rational) ->
   Anchor ->
   (Integer, Integer) ->

@@ -51,7 +51,7 @@ import PraTactile.Object.Vector hiding (plus)
 
 -- | A face with a lattice. The letters are those of the module's formulas.
 data Chart = Chart
-  { chartFrame :: Frame,
+  { chartFrame :: FaceFrame,
     -- | the step t, in millimetres
     step :: !Rational,
     -- | u and m

@@ -7,7 +7,7 @@
 --
 -- so the numerators are integers, and only the roots may be irrational.
 module PraTactile.Object.Frame
-  ( Frame (..),
+  ( FaceFrame (..),
     frameOf,
     frameOfPoints,
     Span (..),
@@ -30,7 +30,7 @@ import PraTactile.Object.Vector hiding (plus)
 
 -- | The corners' numerators, and the numbers under the roots that divide them. The quotients are in
 -- millimetres.
-data Frame = Frame
+data FaceFrame = FaceFrame
   { -- | a, times the square of the denominator of the polyhedron's coordinates
     frameAcross :: !Integer,
     -- | b, times the same square
@@ -44,19 +44,19 @@ data Frame = Frame
 
 -- | The frame of a face, whose walk must consist of existing vertices. 'Nothing' if the first
 -- vertex coincides with the last, or the area is 0.
-frameOf :: Mesh -> Walk -> Maybe Frame
+frameOf :: Mesh -> Walk -> Maybe FaceFrame
 frameOf it walk = frameOver (lowestTerms (meshDenominator it) (cornersOf it walk))
 
 -- | The frame of a face from its corners alone, in the order of its walk. 'Nothing' as for
 -- 'frameOf'.
-frameOfPoints :: [Point] -> Maybe Frame
+frameOfPoints :: [Point] -> Maybe FaceFrame
 frameOfPoints = frameOver . overOne
 
 -- | The frame in lowest terms, so that the roots do not depend on the rest of the object.
-frameOver :: (Integer, V.Vector V3) -> Maybe Frame
+frameOver :: (Integer, V.Vector V3) -> Maybe FaceFrame
 frameOver (d, points)
   | a == 0 || normal == zero = Nothing
-  | otherwise = Just (Frame a b (rootIn base a, rootIn base b) (V.map numerators points))
+  | otherwise = Just (FaceFrame a b (rootIn base a, rootIn base b) (V.map numerators points))
   where
     origin = firstOf points
     along = V.foldl (\_ p -> p) origin points `minus` origin
@@ -75,23 +75,23 @@ data Span = Span
   deriving stock (Eq, Show)
 
 -- | The range from the leftmost corner to the rightmost.
-spanAcross :: Frame -> Span
+spanAcross :: FaceFrame -> Span
 spanAcross = spanOf . V.map fst . frameNumerators
 
 -- | The range from the uppermost corner to the lowest.
-spanDown :: Frame -> Span
+spanDown :: FaceFrame -> Span
 spanDown = spanOf . V.map snd . frameNumerators
 
 spanOf :: V.Vector Integer -> Span
 spanOf values = Span (V.minimum values) (V.maximum values - V.minimum values)
 
 -- | A numerator along x, or along y, divided by the root: millimetres.
-overAcross, overDown :: Frame -> Rational -> Radicals
+overAcross, overDown :: FaceFrame -> Rational -> Radicals
 overAcross frame n = times (n / fromInteger (frameAcross frame)) (fst (frameRoots frame))
 overDown frame n = times (n / fromInteger (frameDown frame)) (snd (frameRoots frame))
 
 -- | The corners, in millimetres right of and below the first one.
-frameCorners :: Frame -> [(Radicals, Radicals)]
+frameCorners :: FaceFrame -> [(Radicals, Radicals)]
 frameCorners frame =
   [ (overAcross frame (fromInteger x), overDown frame (fromInteger y))
     | (x, y) <- V.toList (frameNumerators frame)
@@ -99,7 +99,7 @@ frameCorners frame =
 
 -- | The corners' bounding box: its upper left corner, in millimetres right of and below the first
 -- corner, and its width and height.
-frameExtent :: Frame -> ((Radicals, Radicals), (Radicals, Radicals))
+frameExtent :: FaceFrame -> ((Radicals, Radicals), (Radicals, Radicals))
 frameExtent frame = (both spanFrom, both spanLength)
   where
     both part =
@@ -108,7 +108,7 @@ frameExtent frame = (both spanFrom, both spanLength)
       )
 
 -- | Whether the face is a rectangle along the frame's axes.
-isRectangle :: Frame -> Bool
+isRectangle :: FaceFrame -> Bool
 isRectangle frame =
   V.length corners == 4 && V.all (\(x, y) -> x `elem` ends across && y `elem` ends down) corners
   where

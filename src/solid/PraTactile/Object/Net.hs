@@ -24,7 +24,7 @@ module PraTactile.Object.Net
     Fold (..),
     Bend (..),
     layOut,
-    Part (..),
+    NetPart (..),
     Rim (..),
     wholePart,
     partsFor,

@@ -92,7 +92,7 @@ data Piece = Piece
   }
 
 -- | The pieces of this number of faces, by their first ones.
-piecesOf :: Surface -> Int -> [Piece]
+piecesOf :: FaceSides -> Int -> [Piece]
 piecesOf sides count = go IntSet.empty [0 .. count - 1]
   where
     go _ [] = []

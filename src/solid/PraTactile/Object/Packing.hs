@@ -15,7 +15,7 @@
 -- looks for a packing, and for a proof that there is none.
 module PraTactile.Object.Packing
   ( -- * Masks
-    Mask,
+    BlockMask,
     maskOf,
     block,
     maskCells,
@@ -23,7 +23,7 @@ module PraTactile.Object.Packing
     -- * Packing
     Sheet (..),
     packed,
-    Outcome (..),
+    PackingResult (..),
     Laid (..),
     Reason (..),
   )
@@ -45,12 +45,12 @@ data Sheet = Sheet
     sheetRows :: !Int,
     sheetColumns :: !Int,
     -- | masks, each with the row and column of its block's upper left corner
-    sheetTaken :: [(Mask, (Int, Int))]
+    sheetTaken :: [(BlockMask, (Int, Int))]
   }
   deriving stock (Eq, Show)
 
 -- | The result of a search.
-data Outcome
+data PackingResult
   = -- | a packing: for each piece, in order, how it lies
     Packed [Laid]
   | -- | there is no packing, for this reason
@@ -100,7 +100,7 @@ data Reason
 -- Packed [Laid {laidAlternative = 0, laidAt = (0,0)},Laid {laidAlternative = 1, laidAt = (0,2)}]
 -- >>> packed 1 (Sheet 3 3 []) [[block (2, 2)], [block (2, 2)]]
 -- Impossible Exhausted
-packed :: Int -> Sheet -> [[Mask]] -> Outcome
+packed :: Int -> Sheet -> [[BlockMask]] -> PackingResult
 packed seed sheet pieces = either Impossible id $ do
   refuse TakenOutside [not (lies figure place) | (figure, place) <- taken]
   still <- occupied (room rows columns taken fitting) taken

@@ -51,7 +51,7 @@ data Asked = Genus | Volume | Whereabouts
 
 -- | The pieces of a polyhedron, and defects for those that are inside out. The function says which
 -- properties are meaningful.
-pieces :: Subject -> (Asked -> Bool) -> ([Component], [Defect])
+pieces :: SidedMesh -> (Asked -> Bool) -> ([Component], [Defect])
 pieces subject told =
   ( [ Component
         { componentVertices = v,

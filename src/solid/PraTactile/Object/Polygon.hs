@@ -12,7 +12,7 @@ module PraTactile.Object.Polygon
     crossing,
 
     -- * What a polygon holds
-    Standing (..),
+    PointLocation (..),
     standing,
     following,
   )
@@ -74,11 +74,11 @@ following :: V.Vector a -> Int -> Int
 following walk i = if i + 1 == V.length walk then 0 else i + 1
 
 -- | The place of a point relative to a polygon.
-data Standing = Outside | OnRim | Inside
+data PointLocation = Outside | OnRim | Inside
   deriving stock (Eq, Show)
 
 -- | The place of a point relative to a polygon that does not cross itself.
-standing :: V.Vector V2 -> V2 -> Standing
+standing :: V.Vector V2 -> V2 -> PointLocation
 standing walk p@(V2 _ y)
   | Just _ <- find (\(a, b) -> between a b p) sides = OnRim
   | odd (length (filter passes sides)) = Inside

@@ -2,7 +2,7 @@
 
 -- | The data of a polyhedron that all checks share, computed once.
 module PraTactile.Object.Subject
-  ( Subject (..),
+  ( SidedMesh (..),
     subjectOf,
     facesWhere,
     boxOfFace,
@@ -27,18 +27,18 @@ import PraTactile.Object.Vector
 
 -- | A polyhedron with its sides. Only well-formed faces keep their walks in 'formed'; all others
 -- have an empty one.
-data Subject = Subject
+data SidedMesh = SidedMesh
   { whole :: Mesh,
     formed :: V.Vector Walk,
-    sides :: Surface,
+    sides :: FaceSides,
     normals :: V.Vector V3,
     rounding :: Rounding
   }
 
 -- | Prepares a polyhedron for checks. O(n log n).
-subjectOf :: Mesh -> Subject
+subjectOf :: Mesh -> SidedMesh
 subjectOf it =
-  Subject
+  SidedMesh
     { whole = it,
       formed = walks,
       sides = surface walks,
@@ -54,7 +54,7 @@ subjectOf it =
         && not (usesAny (repeatedFirsts it) walk)
 
 -- | The well-formed faces whose walks satisfy the condition.
-facesWhere :: (Walk -> Bool) -> Subject -> [Int]
+facesWhere :: (Walk -> Bool) -> SidedMesh -> [Int]
 facesWhere holds subject = V.toList (V.findIndices holds (formed subject))
 
 -- | The vertices that a walk visits more than once, each once, ascending. Empty if it does so only
@@ -81,7 +81,7 @@ usesAny :: Set.Set Int -> Walk -> Bool
 usesAny some walk = not (Set.null some) && U.any (`Set.member` some) walk
 
 -- | The bounding box of a face.
-boxOfFace :: Subject -> Int -> Box
+boxOfFace :: SidedMesh -> Int -> Box
 boxOfFace subject f = V.foldl1' around (V.map (boxOf (rounding subject)) corners)
   where
     corners = cornersOf (whole subject) (formed subject V.! f)

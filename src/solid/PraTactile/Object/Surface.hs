@@ -1,7 +1,7 @@
 -- | The sides of a polyhedron's faces, and which of them belong to one edge: the half-edge form of
 -- a winged-edge model (section II.B of the paper; Ballard and Brown, Computer Vision, ch. 9).
 module PraTactile.Object.Surface
-  ( Surface,
+  ( FaceSides,
     surface,
 
     -- * Sides
@@ -34,7 +34,7 @@ import PraTactile.Object.Boxes (sortedPairs)
 import PraTactile.Object.Mesh (Walk)
 
 -- | All sides of some walks, in order.
-data Surface = Surface
+data FaceSides = FaceSides
   { starts :: !(U.Vector Int),
     faces :: !(U.Vector Int),
     -- | the index of the first side of each face, then the number of sides
@@ -47,9 +47,9 @@ data Surface = Surface
   }
 
 -- | The sides of these walks. O(n log n).
-surface :: V.Vector Walk -> Surface
+surface :: V.Vector Walk -> FaceSides
 surface walks =
-  Surface
+  FaceSides
     { starts = begun,
       faces =
         U.concat (V.toList (V.imap (\f walk -> U.replicate (U.length walk) f) walks)),
@@ -79,51 +79,51 @@ surface walks =
     total = U.length begun
 
 -- | The number of sides.
-sideCount :: Surface -> Int
+sideCount :: FaceSides -> Int
 sideCount = U.length . starts
 
 -- | The vertex at which a side begins on its walk.
-sideStart :: Surface -> Int -> Int
+sideStart :: FaceSides -> Int -> Int
 sideStart it s = starts it U.! s
 
 -- | The vertex at which a side ends.
-sideEnd :: Surface -> Int -> Int
+sideEnd :: FaceSides -> Int -> Int
 sideEnd it = sideStart it . nextSide it
 
 -- | The walk to which a side belongs.
-sideFace :: Surface -> Int -> Int
+sideFace :: FaceSides -> Int -> Int
 sideFace it s = faces it U.! s
 
 -- | The sides of a walk, in their order.
-sidesOfFace :: Surface -> Int -> [Int]
+sidesOfFace :: FaceSides -> Int -> [Int]
 sidesOfFace it f = [offsets it U.! f .. offsets it U.! (f + 1) - 1]
 
 -- | The side after this one, on the same walk.
-nextSide :: Surface -> Int -> Int
+nextSide :: FaceSides -> Int -> Int
 nextSide it s = if s + 1 == offsets it U.! (f + 1) then offsets it U.! f else s + 1
   where
     f = sideFace it s
 
 -- | The side before this one, on the same walk.
-previousSide :: Surface -> Int -> Int
+previousSide :: FaceSides -> Int -> Int
 previousSide it s = if s == offsets it U.! f then offsets it U.! (f + 1) - 1 else s - 1
   where
     f = sideFace it s
 
 -- | The index of a side's start on its walk, from 0.
-placeOnWalk :: Surface -> Int -> Int
+placeOnWalk :: FaceSides -> Int -> Int
 placeOnWalk it s = s - offsets it U.! sideFace it s
 
 -- | The number of edges.
-edgeCount :: Surface -> Int
+edgeCount :: FaceSides -> Int
 edgeCount it = U.length (groups it) - 1
 
 -- | The sides of an edge, ascending.
-edgeSides :: Surface -> Int -> [Int]
+edgeSides :: FaceSides -> Int -> [Int]
 edgeSides it e = [grouped it U.! i | i <- [groups it U.! e .. groups it U.! (e + 1) - 1]]
 
 -- | The other side of the edge; 'Nothing' unless the edge has two sides.
-mateOf :: Surface -> Int -> Maybe Int
+mateOf :: FaceSides -> Int -> Maybe Int
 mateOf it s = if mate < 0 then Nothing else Just mate
   where
     mate = mates it U.! s

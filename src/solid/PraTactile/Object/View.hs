@@ -17,7 +17,7 @@ module PraTactile.Object.View
     onPicture,
 
     -- * What is seen
-    Patch (..),
+    VisiblePart (..),
     Side (..),
     patches,
     SeenVertex (..),

@@ -63,7 +63,7 @@ import PraTactile.Object.Vector
 data Solid = Solid
   { -- | the polyhedron, with vertices and faces by their numbers
     solidMesh :: Mesh,
-    solidSurface :: Surface,
+    solidSurface :: FaceSides,
     -- | the number of each vertex
     vertexIndices :: Map.Map VertexName Int,
     -- | for each vertex, the sides that begin there

@@ -5,8 +5,8 @@
 --
 -- A reading transaction sees a constant state (repeatable read). A writing transaction locks the
 -- placement's tables against other writers before it reads the first row; readers still see the
--- former state. It waits for locks up to ten seconds, unless the address or the server sets another
--- @lock_timeout@, and for a server up to ten seconds.
+-- former state. It waits for a lock up to ten seconds, or as long as a @lock_timeout@ other than 0
+-- of the address or the server says. It waits for a connection up to ten seconds.
 module PraTactile.Store.Postgresql
   ( postgresql,
   )
@@ -85,7 +85,7 @@ throughout address action =
     encodingIn (Single encoding, _, _) = encoding
     known = unreachable . guarded meaningInPostgresql
     unreachable = withExceptT (Unreachable name . failureIn)
-    -- libpq's own timeout works only if the whole program waits for it.
+    -- The binding does not use the blocking call to which libpq's own timeout applies.
     reached = do
       answered <-
         unreachable . guarded (meaningOfRefusal address) . timeout (10 * 1000000) $
@@ -113,8 +113,9 @@ beginWriting = lift (mapM_ (`rawExecute` []) ["COMMIT", "BEGIN ISOLATION LEVEL R
 holdTables :: Query IO ()
 holdTables = execute ("LOCK TABLE " <> listed <> " IN EXCLUSIVE MODE")
 
--- | Creates the tables and fills them, or fills existing ones, in one transaction. A program that
--- creates tables is alone, since there is no table yet that it could lock.
+-- | Creates the tables, or empties those of an old store, and fills them, in one transaction.
+-- Refuses tables of these names with other columns. While there is no table to lock, an advisory
+-- lock keeps out other programs that create them.
 putTables :: Address -> Rows -> ExceptT StoreError IO ()
 putTables address given = throughout address $ \backend ->
   runExceptT
@@ -159,7 +160,7 @@ makeTables = do
 
 -- | The statement that creates a table as "PraTactile.Store.Schema" defines it. Texts are ordered
 -- by their characters, whatever the database's collation.
-tableIn :: Part -> Text
+tableIn :: TableRows -> Text
 tableIn part =
   Text.concat ["CREATE TABLE ", Text.pack (partName part), " (", Text.intercalate ", " parts', ")"]
   where
@@ -185,7 +186,7 @@ tableIn part =
         ]
     among columns = "(" <> Text.intercalate ", " (map unFieldNameDB columns) <> ")"
 
-allParts :: [Part]
+allParts :: [TableRows]
 allParts = parts ++ [formerPart]
 
 execute :: Text -> Query IO ()
@@ -199,7 +200,7 @@ columnsOfVisible :: String -> Query IO [Text]
 columnsOfVisible table = map unSingle <$> columnsBy "attname::text" table
 
 -- | The columns of a table that have a wrong type.
-typesThatDiffer :: Part -> Query IO [Text]
+typesThatDiffer :: TableRows -> Query IO [Text]
 typesThatDiffer part = do
   there <- columnsBy "attname::text, format_type(atttypid, atttypmod)" (partName part)
   pure
@@ -227,8 +228,9 @@ meaningInPostgresql fault
   | otherwise = Nothing
 
 -- | The meaning of an exception before there is a connection. libpq gives only words, which never
--- repeat the password. They are passed on unless they contain other parts of the address that must
--- not be shown.
+-- repeat the password. A refused password and servers that do not answer are recognised by these
+-- words. Other words are passed on, unless they contain a part of the address that must not be
+-- shown ('withheld').
 meaningOfRefusal :: Address -> SomeException -> Maybe Objection
 meaningOfRefusal address fault
   | Just told <- fromException fault = Just (Failed (inWords (sqlErrorMsg told)))

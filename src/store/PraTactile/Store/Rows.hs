@@ -10,7 +10,7 @@ module PraTactile.Store.Rows
     insertRows,
     selectRows,
     changeRows,
-    Part (..),
+    TableRows (..),
     parts,
     formerPart,
     partName,
@@ -64,51 +64,51 @@ instance Monoid Rows where
   mempty = Rows [] [] [] [] [] [] [] [] [] []
 
 -- | The rows of one table.
-data Part
+data TableRows
   = forall row.
     (PersistEntity row, PersistEntityBackend row ~ SqlBackend, Eq row) =>
-    Part Table (Rows -> [row])
+    TableRows Table (Rows -> [row])
 
 -- | All tables of a placement, each before those that refer to it.
-parts :: [Part]
+parts :: [TableRows]
 parts =
-  [ Part MetadataTable metadataRows,
-    Part ObjectTable objects,
-    Part VertexTable vertices,
-    Part FaceTable faces,
-    Part CornerTable corners,
-    Part EdgeTable edges,
-    Part LayingTable layings,
-    Part BandTable runBands,
-    Part RunTable runs
+  [ TableRows MetadataTable metadataRows,
+    TableRows ObjectTable objects,
+    TableRows VertexTable vertices,
+    TableRows FaceTable faces,
+    TableRows CornerTable corners,
+    TableRows EdgeTable edges,
+    TableRows LayingTable layings,
+    TableRows BandTable runBands,
+    TableRows RunTable runs
   ]
 
 -- | The table of former places.
-formerPart :: Part
-formerPart = Part FormerTable formerRows
+formerPart :: TableRows
+formerPart = TableRows FormerTable formerRows
 
 -- | A table's name in the database.
-partName :: Part -> String
-partName (Part table _) = tableName table
+partName :: TableRows -> String
+partName (TableRows table _) = tableName table
 
 -- | The columns of a table in order, with the type of their values that are not null: integer or
 -- text.
-partColumns :: Part -> [(Text, SqlType)]
+partColumns :: TableRows -> [(Text, SqlType)]
 partColumns part =
   [ (unFieldNameDB (fieldDB column), fieldSqlType column)
     | column <- getEntityFieldsDatabase (partEntity part)
   ]
 
 -- | The columns, keys and references of a table.
-partEntity :: Part -> EntityDef
-partEntity (Part _ part) = entityDef (listToMaybe (part mempty))
+partEntity :: TableRows -> EntityDef
+partEntity (TableRows _ part) = entityDef (listToMaybe (part mempty))
 
 -- | Whether all texts in the rows satisfy the test.
 allTexts :: (Text -> Bool) -> Rows -> Bool
 allTexts held given = all inPart parts
   where
-    inPart :: Part -> Bool
-    inPart (Part _ part) =
+    inPart :: TableRows -> Bool
+    inPart (TableRows _ part) =
       and [held text | row <- part given, PersistText text <- values row]
     values row = map toPersistValue (toPersistFields row)
 
@@ -116,8 +116,8 @@ allTexts held given = all inPart parts
 insertRows :: MonadIO m => Rows -> ReaderT SqlBackend m ()
 insertRows given = mapM_ insertPart (parts ++ [formerPart])
   where
-    insertPart :: MonadIO m => Part -> ReaderT SqlBackend m ()
-    insertPart (Part _ part) = insertAll (keyed (part given))
+    insertPart :: MonadIO m => TableRows -> ReaderT SqlBackend m ()
+    insertPart (TableRows _ part) = insertAll (keyed (part given))
 
 -- | All rows of a placement, in the order of their keys.
 selectRows :: MonadIO m => ReaderT SqlBackend m Rows
@@ -138,8 +138,8 @@ changeRows old new = mapM_ fst (reverse steps) >> mapM_ snd steps
   where
     steps = map step parts
     -- The deletions, then the insertions.
-    step :: MonadIO m => Part -> (ReaderT SqlBackend m (), ReaderT SqlBackend m ())
-    step (Part table part)
+    step :: MonadIO m => TableRows -> (ReaderT SqlBackend m (), ReaderT SqlBackend m ())
+    step (TableRows table part)
       | isReferredTo table =
         ( mapM_ delete (Map.keys gone),
           mapM_ (uncurry replace) (Map.toList changed) >> insertAll come
@@ -161,7 +161,7 @@ disagreement :: Rows -> Rows -> Maybe Table
 disagreement one other =
   listToMaybe
     [ table
-      | Part table part <- parts,
+      | TableRows table part <- parts,
         -- This comparison is quick because the order is mostly the same.
         part one /= part other,
         keyed (part one) /= keyed (part other)

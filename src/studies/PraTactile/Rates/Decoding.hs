@@ -8,7 +8,7 @@
 -- of each trial, the patches from 2 x 2 to 5 x 5 cells of the default table take four times as
 -- long.
 module PraTactile.Rates.Decoding
-  ( TrialResult (..),
+  ( PatchResult (..),
     HardAnswer (..),
     decodeTrial,
   )
@@ -22,7 +22,7 @@ import PraTactile.Rates.Setup
 import PraTactile.Rates.Trial
 
 -- | The result of decoding a trial.
-data TrialResult = TrialResult
+data PatchResult = PatchResult
   { -- | By hard decoding of the likeliest symbols, to the stated radius.
     resultHard :: !HardAnswer,
     -- | By soft decoding: whether the likeliest position is the true one.
@@ -38,14 +38,14 @@ data HardAnswer = Correct | Mistaken | NoAnswer
 
 -- | Decodes a trial twice: its likeliest symbols, with errors up to this radius, and its
 -- probabilities.
-decodeTrial :: Radius -> TrialSetup k -> Trial -> TrialResult
+decodeTrial :: Radius -> TrialSetup k -> PatchTrial -> PatchResult
 decodeTrial radius setup trial =
-  TrialResult (hardAnswer radius setup trial) (best == trialPosition trial) doubt
+  PatchResult (hardAnswer radius setup trial) (best == trialPosition trial) doubt
   where
     (best, doubt) = likeliestPosition setup trial
 
 -- | Hard decoding: the unique nearest position, if it is within the radius.
-hardAnswer :: Radius -> TrialSetup k -> Trial -> HardAnswer
+hardAnswer :: Radius -> TrialSetup k -> PatchTrial -> HardAnswer
 hardAnswer radius setup trial
   | observed == 0 || nearestTies found > 1 || nearestErrors found > farthest = NoAnswer
   | nearestIndex found == trialPosition trial = Correct
@@ -70,7 +70,7 @@ data Nearest = Nearest
   }
 
 -- | Finds the nearest position by comparing with all.
-nearestPosition :: TrialSetup k -> Trial -> Nearest
+nearestPosition :: TrialSetup k -> PatchTrial -> Nearest
 nearestPosition setup trial = go 0 maxBound 0 0 maxBound
   where
     limbs = setupLimbs setup
@@ -105,7 +105,7 @@ nearestPosition setup trial = go 0 maxBound 0 0 maxBound
     supportAt = Primitive.unsafeIndex (setupSupports setup)
 
 -- | Soft decoding: the index of the first likeliest position, and the probability of all others.
-likeliestPosition :: TrialSetup k -> Trial -> (Int, Double)
+likeliestPosition :: TrialSetup k -> PatchTrial -> (Int, Double)
 likeliestPosition setup trial = (best, others / (1 + others))
   where
     n = setupCells setup

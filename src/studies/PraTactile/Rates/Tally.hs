@@ -1,7 +1,7 @@
 -- | Counts of simulated trials, and rates from them.
 module PraTactile.Rates.Tally
   ( -- * Counting
-    Tally,
+    RatesTally,
     tallyTrials,
     tallyRight,
     tallyWrong,
@@ -27,7 +27,7 @@ import PraTactile.Rates.Decoding
 import PraTactile.Rates.Formulas
 
 -- | Counts of trials.
-data Tally = Tally
+data RatesTally = RatesTally
   { -- | The number of trials.
     tallyTrials :: !Int,
     -- | The number of trials that hard decoding located right.
@@ -52,13 +52,13 @@ instance Monoid Soft where
   mempty = Soft 0 0 0
 
 -- | The tally without trials.
-noTrials :: Tally
-noTrials = Tally 0 0 0 Map.empty
+noTrials :: RatesTally
+noTrials = RatesTally 0 0 0 Map.empty
 
 -- | Adds one trial.
-count :: Tally -> TrialResult -> Tally
-count (Tally n right wrong doubts) (TrialResult hard likeliest doubt) =
-  Tally
+count :: RatesTally -> PatchResult -> RatesTally
+count (RatesTally n right wrong doubts) (PatchResult hard likeliest doubt) =
+  RatesTally
     (n + 1)
     (right + one (hard == Correct))
     (wrong + one (hard == Mistaken))
@@ -69,19 +69,19 @@ count (Tally n right wrong doubts) (TrialResult hard likeliest doubt) =
     bin = if doubt <= 1e-20 then 1000 else max 0 (floor (-50 * logBase 10 doubt))
 
 -- | The sum of tallies.
-merge :: [Tally] -> Tally
+merge :: [RatesTally] -> RatesTally
 merge = foldl' add noTrials
   where
-    add (Tally n a b m) (Tally n' a' b' m') =
-      Tally (n + n') (a + a') (b + b') (Map.unionWith (<>) m m')
+    add (RatesTally n a b m) (RatesTally n' a' b' m') =
+      RatesTally (n + n') (a + a') (b + b') (Map.unionWith (<>) m m')
 
 -- | The rates of hard decoding to the radius of the observed cells.
-hardRates :: Tally -> Rates
+hardRates :: RatesTally -> Rates
 hardRates tally = ratesOf tally (fromIntegral (tallyRight tally)) (fromIntegral (tallyWrong tally))
 
 -- | The rates of soft decoding with this tolerated probability of a wrong answer, rounded to a 50th
 -- of a power of ten.
-softRates :: Double -> Tally -> Rates
+softRates :: Double -> RatesTally -> Rates
 softRates tolerated tally = ratesOf tally (fromIntegral right) (fromIntegral (answers - right))
   where
     Soft answers right _ = tolerable tolerated tally
@@ -90,7 +90,7 @@ softRates tolerated tally = ratesOf tally (fromIntegral right) (fromIntegral (an
 -- share of wrong answers among all trials. No other rule on the same readings is right more often
 -- with as many expected wrong answers (C. K. Chow 1970). Of the bin in which the share is reached,
 -- a part is answered.
-softRatesAtMost :: Double -> Tally -> Rates
+softRatesAtMost :: Double -> RatesTally -> Rates
 softRatesAtMost share tally = go 0 0 0 (map snd (Map.toDescList (tallyDoubts tally)))
   where
     budget = share * fromIntegral (tallyTrials tally)
@@ -116,20 +116,20 @@ data Calibration = Calibration
   deriving stock (Eq, Show)
 
 -- | The calibration of the answers with this tolerated probability of a wrong answer.
-calibration :: Double -> Tally -> Calibration
+calibration :: Double -> RatesTally -> Calibration
 calibration tolerated tally = Calibration answers expected (answers - right)
   where
     Soft answers right expected = tolerable tolerated tally
 
 -- | The trials with at most this doubt.
-tolerable :: Double -> Tally -> Soft
+tolerable :: Double -> RatesTally -> Soft
 tolerable tolerated tally =
   mconcat [soft | (bin, soft) <- Map.toAscList (tallyDoubts tally), bin >= least]
   where
     least = ceiling (-50 * logBase 10 tolerated - 1e-9) :: Int
 
 -- | The rates of right and wrong answers, given their numbers; the other trials are refused.
-ratesOf :: Tally -> Double -> Double -> Rates
+ratesOf :: RatesTally -> Double -> Double -> Rates
 ratesOf tally right wrong =
   Rates (share right) (share wrong) (share (fromIntegral (tallyTrials tally) - right - wrong))
   where

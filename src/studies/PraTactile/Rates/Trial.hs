@@ -3,7 +3,7 @@
 
 -- | One simulated reading of a patch.
 module PraTactile.Rates.Trial
-  ( Trial (..),
+  ( PatchTrial (..),
     drawTrial,
   )
 where
@@ -23,7 +23,7 @@ import PraTactile.Rates.Setup
 import System.Random (StdGen)
 
 -- | A reading of a patch, and its true position.
-data Trial = Trial
+data PatchTrial = PatchTrial
   { -- | The index of the true position, row by row.
     trialPosition :: !Int,
     -- | For each limb: the cells that were observed.
@@ -40,7 +40,7 @@ data Trial = Trial
 -- setup sigma missing@ the noise has standard deviation sigma, and each cell is missing with the
 -- given probability.
 drawTrial ::
-  forall k. KnownField k => TrialSetup k -> Double -> Double -> StdGen -> (Trial, StdGen)
+  forall k. KnownField k => TrialSetup k -> Double -> Double -> StdGen -> (PatchTrial, StdGen)
 drawTrial setup sigma missing g0 = runST $ do
   seen <- Mutable.replicate limbs 0
   symbols <- Mutable.replicate (limbs * planes) 0
@@ -60,7 +60,7 @@ drawTrial setup sigma missing g0 = runST $ do
           (u, g') = uniform g
   g <- readCells 0 g1
   trial <-
-    Trial position
+    PatchTrial position
       <$> Primitive.unsafeFreeze seen
       <*> Primitive.unsafeFreeze symbols
       <*> Primitive.unsafeFreeze evidence

@@ -25,7 +25,7 @@ module PraTactile.Classification.Traingdx
     -- * Descending
     Objective,
     Epoch (..),
-    Outcome (..),
+    EpochOutcome (..),
     outcomeName,
     descend,
     lastEpoch,
@@ -108,7 +108,7 @@ type Objective = Vector Double -> (Double, Vector Double)
 data Epoch x = Epoch
   { -- | counted from 1; 0 is the state before the first epoch
     epochNumber :: !Int,
-    epochOutcome :: !Outcome,
+    epochOutcome :: !EpochOutcome,
     epochPoint :: !x,
     -- | the error at that point
     epochError :: !Double,
@@ -120,7 +120,7 @@ data Epoch x = Epoch
   deriving stock (Eq, Show, Functor)
 
 -- | What happened to the step of an epoch.
-data Outcome
+data EpochOutcome
   = -- | The state before the first epoch.
     Begun
   | -- | The error fell.
@@ -132,7 +132,7 @@ data Outcome
   deriving stock (Eq, Ord, Show, Bounded, Enum)
 
 -- | The stable name of an outcome.
-outcomeName :: Outcome -> String
+outcomeName :: EpochOutcome -> String
 outcomeName outcome = case outcome of
   Begun -> "begun"
   Lower -> "lower"

@@ -33,7 +33,7 @@ module PraTactile.Registration.Contact
   ( evened,
 
     -- * By parts
-    Press (..),
+    TiltedPress (..),
     Taxel (..),
     taxelsOf,
     eStep,
@@ -79,7 +79,7 @@ evened images
     varied = any (> 1e-9) . standardDeviation
 
 -- | A frame as an even press would read it, and the weights w of its taxels.
-evenedBy :: Press -> Raster -> (Raster, Raster)
+evenedBy :: TiltedPress -> Raster -> (Raster, Raster)
 evenedBy press image = (generate w h level, generate w h counts)
   where
     (w, h) = rasterSize image
@@ -101,7 +101,7 @@ evenedBy press image = (generate w h level, generate w h counts)
     most = abs (pressAcross press) + abs (pressDown press)
 
 -- | The maximum-likelihood press of a frame, which must vary.
-likeliestPress :: Raster -> Press
+likeliestPress :: Raster -> TiltedPress
 likeliestPress image = snd (maximumBy (comparing fst) (map (climbed Tilted 15 taxels) starts))
   where
     taxels = taxelsOf image
@@ -144,8 +144,8 @@ scaleOf image = (mean, deviation, (sum few / fromIntegral (length few) - mean) /
     few = take (max 1 (V.length values `quot` 32)) (sort (V.toList values))
 
 -- | An even press with a gain and an offset usual for symbols.
-usualPress :: [Taxel] -> Press
-usualPress taxels = Press gain (average - 0.3 * gain) 0 0 0.25
+usualPress :: [Taxel] -> TiltedPress
+usualPress taxels = TiltedPress gain (average - 0.3 * gain) 0 0 0.25
   where
     gain = 1 / 0.42
     average = sum [t | Taxel t _ _ <- taxels] / fromIntegral (max 1 (length taxels))
@@ -155,7 +155,7 @@ data Slopes = Level | Tilted
   deriving stock (Eq)
 
 -- | EM with n E steps: log p(z) and the press of the last.
-climbed :: Slopes -> Int -> [Taxel] -> Press -> (Double, Press)
+climbed :: Slopes -> Int -> [Taxel] -> TiltedPress -> (Double, TiltedPress)
 climbed slopes n taxels press
   | n <= 1 = (density, press)
   | otherwise = climbed slopes (n - 1) taxels (mStep slopes' press expected)
@@ -171,7 +171,7 @@ data Expected = Expected
   }
 
 -- | log p(z) at a press, and the expected sums.
-eStep :: Press -> [Taxel] -> (Double, Expected)
+eStep :: TiltedPress -> [Taxel] -> (Double, Expected)
 eStep press taxels = (logs - total sums / 2 * log (2 * pi * pressVariance press), sums)
   where
     (logs, sums) = foldl' taxel (0, Expected 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0) taxels
@@ -217,10 +217,10 @@ eStep press taxels = (logs - total sums / 2 * log (2 * pi * pressVariance press)
 
 -- | The least-squares press, given how many of a, b, p and q to estimate (2 or 4). The others stay
 -- as they are.
-mStep :: Int -> Press -> Expected -> Press
+mStep :: Int -> TiltedPress -> Expected -> TiltedPress
 mStep slopes press e = case linearSolve system given of
   Just found ->
-    Press
+    TiltedPress
       (max leastGain (atIndex found (0, 0)))
       (atIndex found (1, 0))
       (if slopes < 4 then pressAcross press else atIndex found (2, 0))

@@ -95,7 +95,7 @@ levelling frames
         share = g / unit
 
 -- | The gain and the offset of a frame, grey values.
-data Reading = Reading
+data GainOffset = GainOffset
   { gain :: !Double,
     offset :: !Double,
     -- | The variance of the log gain; infinite if the frame shows too little to estimate it.
@@ -104,8 +104,8 @@ data Reading = Reading
     offsetError :: !Double
   }
 
-reading :: Touched -> Theta -> Reading
-reading seen (Theta a b v) = Reading (s * a) (m + s * b) ofGain (s * s * v / (independent * n))
+reading :: Touched -> Theta -> GainOffset
+reading seen (Theta a b v) = GainOffset (s * a) (m + s * b) ofGain (s * s * v / (independent * n))
   where
     ofGain
       | n / 2 * log (1 / v) < negligible = 1 / 0

@@ -98,7 +98,7 @@ module PraTactile.Registration.Model
     Theta (..),
 
     -- * A tilted press
-    Press (..),
+    TiltedPress (..),
     planeAt,
     indentation,
     touches,
@@ -125,7 +125,7 @@ data Theta = Theta
   deriving stock (Eq, Show)
 
 -- | A tilted press: gain a, depth b, slopes p (across) and q (down), noise variance v.
-data Press = Press
+data TiltedPress = TiltedPress
   { pressGain :: !Double,
     pressDepth :: !Double,
     pressAcross :: !Double,
@@ -135,18 +135,18 @@ data Press = Press
   deriving stock (Eq, Show)
 
 -- | The plane p x + q y at (x, y): how much nearer to the face the sensor lies there.
-planeAt :: Press -> Double -> Double -> Double
-planeAt (Press _ _ p q _) x y = p * x + q * y
+planeAt :: TiltedPress -> Double -> Double -> Double
+planeAt (TiltedPress _ _ p q _) x y = p * x + q * y
 {-# INLINE planeAt #-}
 
 -- | h_r, the indentation by relief r, given r and the plane at the taxel.
-indentation :: Press -> Double -> Double -> Double
-indentation (Press a b _ _ _) r s = max 0 (a * r + b + s)
+indentation :: TiltedPress -> Double -> Double -> Double
+indentation (TiltedPress a b _ _ _) r s = max 0 (a * r + b + s)
 {-# INLINE indentation #-}
 
 -- | Whether relief r touches the sensor, given r and the plane at the taxel.
-touches :: Press -> Double -> Double -> Bool
-touches (Press a b _ _ _) r s = a * r + b + s > 0
+touches :: TiltedPress -> Double -> Double -> Bool
+touches (TiltedPress a b _ _ _) r s = a * r + b + s > 0
 {-# INLINE touches #-}
 
 -- | P(r), the prior of relief r. A symbol covers a quarter of its cell, and its edges half as much

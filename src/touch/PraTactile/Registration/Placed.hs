@@ -37,12 +37,14 @@ import PraTactile.Symmetry
 
 -- | A frame once its sensor's rotation is undone, at the canonical pitch.
 data Placed = Placed
-  { -- | Where the centre of its upper left pixel is, millimetres.
-    placedAt :: !Taxels,
+  { -- | The centre of its upper left pixel in the robot's coordinates: x right and y down,
+    -- millimetres.
+    placedAt :: !(Double, Double),
     placedImage :: !Raster,
     -- | The share of each pixel that living elements felt, if some are dead.
     placedFelt :: !(Maybe Raster),
-    -- | The weight of each pixel, if some of a tilted press hardly touch.
+    -- | The weight of each pixel, 0 to 1, smaller where a tilted press touches less. Only
+    -- 'evenedPlaced' sets it.
     placedTouch :: !(Maybe Raster)
   }
 
@@ -73,9 +75,9 @@ evenedPlaced frames = do
 
 -- | Frames of one face.
 data PlacedFrames = PlacedFrames
-  { -- | The least x and y of the frames' upper left pixels, millimetres: the origin of places,
-    -- which are in taxels.
-    placedCorner :: !Taxels,
+  { -- | The least x and the least y of 'placedAt', millimetres. Places ('placeIn', taxels) are
+    -- counted from here.
+    placedCorner :: !(Double, Double),
     -- | The frames without duplicates, row by row from the top. The order of frames carries no
     -- information, and a duplicate is no second witness.
     placedDistinct :: NonEmpty Placed,
@@ -83,7 +85,7 @@ data PlacedFrames = PlacedFrames
     placedGiven :: [Int]
   }
 
--- | Makes the scene of frames in any order.
+-- | Collects frames of one face, given in any order.
 placedFrames :: NonEmpty Placed -> PlacedFrames
 placedFrames given =
   PlacedFrames corner (fmap (\((_, one) :| _) -> one) groups) (IntMap.elems numbers)
@@ -96,8 +98,9 @@ placedFrames given =
     numbers =
       IntMap.fromList [(k, n) | (n, same) <- zip [0 ..] (toList groups), (k, _) <- toList same]
 
--- | The origin of a scene's places in the robot's coordinates, taxels. The robot's axes and scale
--- refer to these coordinates.
+-- | The origin of places in the robot's coordinates, taxels. Wrong axes or a wrong scale of the
+-- robot change places about the robot's own origin. So this is added before they are undone, and
+-- subtracted afterwards.
 robotOrigin :: PlacedFrames -> Taxels
 robotOrigin scene = let (left, top) = placedCorner scene in (inTaxels left, inTaxels top)
 
@@ -105,7 +108,7 @@ robotOrigin scene = let (left, top) = placedCorner scene in (inTaxels left, inTa
 placeIn :: PlacedFrames -> Placed -> Taxels
 placeIn = fromCorner . placedCorner
 
-fromCorner :: Taxels -> Placed -> Taxels
+fromCorner :: (Double, Double) -> Placed -> Taxels
 fromCorner (left, top) p = let (x, y) = placedAt p in (inTaxels (x - left), inTaxels (y - top))
 
 -- | Expands values of the frames in 'placedDistinct' to all given frames, in their order.

@@ -9,7 +9,7 @@
 -- the other reading.
 module PraTactile.Segmentation.Lattice
   ( -- * Arranging
-    Cell,
+    ClusterCell,
     Cluster (..),
     Conflict (..),
     arrange,
@@ -31,12 +31,12 @@ import PraTactile.Geometry (columnPitch, rotated, rowPitch)
 import PraTactile.Segmentation.Symbol (SymbolImage (..))
 
 -- | A row and a column, counted from 0 from the topmost row and the leftmost column of a cluster.
-type Cell = (Int, Int)
+type ClusterCell = (Int, Int)
 
 -- | Symbols connected by neighbourhood.
 data Cluster symbol
   = -- | Each symbol in its cell.
-    Cluster !(Map Cell symbol)
+    Cluster !(Map ClusterCell symbol)
   | -- | The distances contradict each other: the contradiction, and all symbols of the cluster.
     Contradiction !(Conflict symbol) ![symbol]
   deriving stock (Eq, Show)
@@ -46,9 +46,9 @@ data Cluster symbol
 data Conflict symbol
   = -- | Two paths from neighbour to neighbour lead to different cells for this symbol. The cell of
     -- the shorter path comes first.
-    TwoCells !symbol !Cell !Cell
+    TwoCells !symbol !ClusterCell !ClusterCell
   | -- | Two symbols lie in one cell.
-    SharedCell !Cell !symbol !symbol
+    SharedCell !ClusterCell !symbol !symbol
   deriving stock (Eq, Show)
 
 -- | The greatest distance of a neighbour from its place in the lattice, in taxels along each axis:
@@ -74,7 +74,11 @@ arrange image symbols = go (Set.fromList (Map.keys numbered))
 
 -- | All symbols that neighbourhood connects to the given one, each with its cell by the shortest
 -- path, and the first contradiction found.
-walk :: (symbol -> SymbolImage) -> Map Int symbol -> Int -> (Map Int Cell, Maybe (Conflict symbol))
+walk ::
+  (symbol -> SymbolImage) ->
+  Map Int symbol ->
+  Int ->
+  (Map Int ClusterCell, Maybe (Conflict symbol))
 walk image symbols first = go [first] (Map.singleton first (0, 0)) Nothing
   where
     go [] cells conflict = (cells, conflict)
@@ -99,13 +103,13 @@ walk image symbols first = go [first] (Map.singleton first (0, 0)) Nothing
 
 -- | The step (rows, columns) from one symbol to another, if they are neighbours in a row or a
 -- column by the axes of both.
-neighbour :: SymbolImage -> SymbolImage -> Maybe Cell
+neighbour :: SymbolImage -> SymbolImage -> Maybe ClusterCell
 neighbour here there = case (step here there, step there here) of
   (Just (i, j), Just (i', j')) | (i, j) == (negate i', negate j') -> Just (i, j)
   _ -> Nothing
 
 -- | The step from the first symbol to the second, if they are neighbours by the axes of the first.
-step :: SymbolImage -> SymbolImage -> Maybe Cell
+step :: SymbolImage -> SymbolImage -> Maybe ClusterCell
 step here there
   | close across columnPitch && close down 0 = Just (0, 1)
   | close across (negate columnPitch) && close down 0 = Just (0, -1)
@@ -119,7 +123,7 @@ step here there
     (across, down) = rotated (negate (symbolAxis here)) (x' - x, y' - y)
 
 -- | The symbols by their cells, counted from the upper left. A contradiction if two share a cell.
-settle :: Map Int symbol -> Map Int Cell -> Cluster symbol
+settle :: Map Int symbol -> Map Int ClusterCell -> Cluster symbol
 settle members cells = case [SharedCell cell a b | (cell, a : b : _) <- Map.toList occupants] of
   conflict : _ -> Contradiction conflict (Map.elems members)
   [] ->
@@ -137,7 +141,7 @@ settle members cells = case [SharedCell cell a b | (cell, a : b : _) <- Map.toLi
       _ -> Nothing
 
 -- | The cells after the lattice is turned by 180 degrees. The symbols stay as they are.
-halfTurned :: Map Cell a -> Map Cell a
+halfTurned :: Map ClusterCell a -> Map ClusterCell a
 halfTurned cells = Map.mapKeys (\(row, column) -> (bottom - row, right - column)) cells
   where
     bottom = maximum (0 : map fst (Map.keys cells))

@@ -121,7 +121,7 @@ designSteps seed parameters = foldr measure (try (symbolWidth * symbolHeight)) m
     measured = [(i, candidate b) | (i, b) <- numberedShapes parameters]
     candidate b =
       if Set.lookupMin (family b) == Just b
-        then Just (Candidate b (selfDistance b) (prepared b) (fst (greatestLikeness b)))
+        then Just (ShapeCandidate b (selfDistance b) (prepared b) (fst (greatestLikeness b)))
         else Nothing
     candidates = mapMaybe snd measured
     measure (i, shape) rest = maybe 0 candidateSelf shape `seq` Step (Measured i) rest
@@ -144,7 +144,7 @@ designSteps seed parameters = foldr measure (try (symbolWidth * symbolHeight)) m
     featureLikeness = maximum . (0 :) . map candidateLikeness
 
 -- | A candidate shape. Costly fields are computed on first use.
-data Candidate = Candidate
+data ShapeCandidate = ShapeCandidate
   { candidateShape :: Bitmap,
     candidateSelf :: Int,
     candidatePrepared :: Prepared,

@@ -19,7 +19,7 @@ spec = do
       m <- right (rectangle (Shape 2 2))
       (verdict, witness) <- right (prove (ArrayOn Torus array) m)
       verdict
-        `shouldBe` Verdict
+        `shouldBe` WindowVerdict
           { proved = True,
             enumeration = Just True,
             rankDecision = Just True,

@@ -132,7 +132,7 @@ descentSpec = do
     inRows width = fromLists . takeWhile (not . null) . unfoldr (Just . splitAt width)
 
 -- | The formulas of traingdx on lists: the outcome, the point and the rate of an epoch.
-data Formulas = Formulas {outcomeOf :: Outcome, pointOf :: [Double], rateOf :: Double}
+data Formulas = Formulas {outcomeOf :: EpochOutcome, pointOf :: [Double], rateOf :: Double}
 
 -- | From before the first epoch to the last.
 byFormulas :: Descent -> ([Double] -> (Double, [Double])) -> [Double] -> [Formulas]
@@ -142,7 +142,7 @@ byFormulas rule bowl start = go 0 Begun start (initialRate rule) first
       WholeStep -> [initialRate rule * g | g <- downhill start]
       AtRest -> map (const 0) start
     downhill = map negate . snd . bowl
-    go :: Int -> Outcome -> [Double] -> Double -> [Double] -> [Formulas]
+    go :: Int -> EpochOutcome -> [Double] -> Double -> [Double] -> [Formulas]
     go count became x lr dx = Formulas became x lr : more
       where
         e = fst (bowl x)

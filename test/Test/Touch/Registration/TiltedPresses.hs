@@ -69,10 +69,10 @@ stepSpec = do
     near a b = counterexample (show (a, b)) (abs (a - b) < 1e-9 * max 1 (abs b))
 
 -- | P(r) N(z; c + h_r, v), summed.
-densityAt :: Press -> Taxel -> Double
+densityAt :: TiltedPress -> Taxel -> Double
 densityAt press taxel = sum (map (joint press taxel) reliefs)
 
-joint :: Press -> Taxel -> Double -> Double
+joint :: TiltedPress -> Taxel -> Double -> Double
 joint press (Taxel t x y) r =
   reliefShare r * exp (negate (d * d) / (2 * v)) / sqrt (2 * pi * v)
   where
@@ -80,13 +80,13 @@ joint press (Taxel t x y) r =
     v = pressVariance press
 
 -- | rho_r.
-share :: Press -> Taxel -> Double -> Double
+share :: TiltedPress -> Taxel -> Double -> Double
 share press taxel r = joint press taxel r / densityAt press taxel
 
 -- | The squared errors of a press, of the taxels and reliefs that touch at another press, weighted
 -- by their probability there.
-errorsBy :: Press -> [Taxel] -> Press -> Double
-errorsBy by taxels (Press a b p q _) =
+errorsBy :: TiltedPress -> [Taxel] -> TiltedPress -> Double
+errorsBy by taxels (TiltedPress a b p q _) =
   sum
     [ share by taxel r * (t - (a * r + b + p * x + q * y)) ^ (2 :: Int)
       | taxel@(Taxel t x y) <- taxels,
@@ -94,9 +94,9 @@ errorsBy by taxels (Press a b p q _) =
         touches by r (planeAt by x y)
     ]
 
-genPress :: Gen Press
+genPress :: Gen TiltedPress
 genPress =
-  Press <$> choose (0.5, 3) <*> choose (-1, 1.5) <*> choose (-1, 1) <*> choose (-1, 1)
+  TiltedPress <$> choose (0.5, 3) <*> choose (-1, 1.5) <*> choose (-1, 1) <*> choose (-1, 1)
     <*> choose (0.05, 1)
 
 genTaxels :: Gen [Taxel]

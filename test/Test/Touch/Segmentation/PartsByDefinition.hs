@@ -313,7 +313,8 @@ stepSpec = do
         === (if columnPitch * abs (sin (axis * pi / 180)) <= 4 then Just (0, 1) else Nothing)
   it "are counted from the other end upside down" $
     property $ \cells ->
-      let there = Map.fromList [((abs i, abs j), k) | ((i, j), k) <- cells] :: Map.Map Cell Int
+      let there :: Map.Map ClusterCell Int
+          there = Map.fromList [((abs i, abs j), k) | ((i, j), k) <- cells]
           (bottom, right') = (most (map fst (Map.keys there)), most (map snd (Map.keys there)))
        in halfTurned there
             === Map.fromList [((bottom - i, right' - j), k) | ((i, j), k) <- Map.toList there]

@@ -3,7 +3,7 @@
 -- | The sequence and the array by definition: the recurrence and the folding formula.
 module PraTactile.Conformance.Definition.Array
   ( -- * Arrays by definition
-    Known (..),
+    ProfileFacts (..),
     Unknown (..),
     unknownText,
     known,
@@ -34,7 +34,7 @@ import PraTactile.Conformance.Definition.Polynomial
 import PraTactile.Profile (Profile (..), Reading (..))
 
 -- | Everything that follows from a profile, computed on first use.
-data Known = Known
+data ProfileFacts = ProfileFacts
   { -- | The profile.
     knownProfile :: Profile,
     -- | Its field.
@@ -49,7 +49,7 @@ data Known = Known
 
 -- | All positions, row by row. The list is produced anew each time, so that it is never held in
 -- memory.
-positions :: Known -> [(Int, Int)]
+positions :: ProfileFacts -> [(Int, Int)]
 positions k = [(r, c) | r <- [0 .. n1 - 1], c <- [0 .. n2 - 1]]
   where
     (n1, n2) = knownSize k
@@ -71,7 +71,7 @@ unknownText why = case why of
     \against, is too slow for it"
 
 -- | The array of a profile by definition. Refuses as 'Unknown' says.
-known :: Profile -> Either Unknown Known
+known :: Profile -> Either Unknown ProfileFacts
 known profile = do
   f <- maybe impossible Right (field (toInteger q) (map toInteger (profileModulus profile)))
   need (all (< q) (profilePolynomial profile ++ profileState profile))
@@ -84,7 +84,7 @@ known profile = do
   need (profileFolding profile == RowMajor || gcd n1 n2 == 1)
   need (windowCells >= 1 && windowCells <= 4096)
   let size = (fromIntegral n1, fromIntegral n2)
-      array = Known profile f size Vector.empty Vector.empty
+      array = ProfileFacts profile f size Vector.empty Vector.empty
   pure (withTerms (uncurry (sequenceOf f) (recurrence array)) array)
   where
     q = profileOrder profile
@@ -94,7 +94,7 @@ known profile = do
     need holds = if holds then Right () else impossible
 
 -- | Replaces the sequence of a profile; one period of it is folded.
-withTerms :: [Int] -> Known -> Known
+withTerms :: [Int] -> ProfileFacts -> ProfileFacts
 withTerms terms k =
   k {knownTerms = period, knownCells = folded (profileFolding (knownProfile k)) size period}
   where
@@ -102,7 +102,7 @@ withTerms terms k =
     period = Vector.fromListN (uncurry (*) size) terms
 
 -- | The characteristic polynomial and the initial state.
-recurrence :: Known -> ([Int], [Int])
+recurrence :: ProfileFacts -> ([Int], [Int])
 recurrence k = (characteristicOf (knownField k) (profileReading p) (take (n + 1) stated), state)
   where
     p = knownProfile k
@@ -136,13 +136,13 @@ folded folding (n1, n2) terms = case folding of
       Vector.// [((i `mod` n1) * n2 + i `mod` n2, s) | (i, s) <- zip [0 ..] (Vector.toList terms)]
 
 -- | s(i), for any i: the period is q^n - 1, because the polynomial is primitive.
-termOf :: Known -> Natural -> Int
+termOf :: ProfileFacts -> Natural -> Int
 termOf k i = knownTerms k Vector.! fromIntegral (i `mod` period)
   where
     period = fromIntegral (Vector.length (knownTerms k))
 
 -- | The cell at any row and column, on the folding's own surface.
-cellOf :: Known -> Natural -> Natural -> Int
+cellOf :: ProfileFacts -> Natural -> Natural -> Int
 cellOf k r c = case profileFolding (knownProfile k) of
   Diagonal -> onSurface k Torus (r `modulo` n1) (c `modulo` n2)
   RowMajor -> termOf k (r * fromIntegral n2 + c)
@@ -152,13 +152,13 @@ cellOf k r c = case profileFolding (knownProfile k) of
 
 -- | The folding's own surface: there the step to a neighbour advances the sequence by a constant
 -- number of terms, also across the edges.
-ownSurface :: Known -> Surface
+ownSurface :: ProfileFacts -> Surface
 ownSurface k = case profileFolding (knownProfile k) of
   Diagonal -> Torus
   RowMajor -> TwistedTorus
 
 -- | The code at a row and a column of a surface, which may be negative; -1 where there is no cell.
-onSurface :: Known -> Surface -> Int -> Int -> Int
+onSurface :: ProfileFacts -> Surface -> Int -> Int -> Int
 onSurface k surface r c = case surface of
   Torus -> at (wrapped n1 r * n2 + wrapped n2 c)
   TwistedTorus -> at (wrapped (n1 * n2) (r * n2 + c))
@@ -171,7 +171,7 @@ onSurface k surface r c = case surface of
 {-# INLINE onSurface #-}
 
 -- | The canonical position of a row and a column on a surface; unchanged on the sheet.
-canonical :: Known -> Surface -> (Int, Int) -> (Int, Int)
+canonical :: ProfileFacts -> Surface -> (Int, Int) -> (Int, Int)
 canonical k surface (r, c) = case surface of
   Torus -> (r `mod` n1, c `mod` n2)
   TwistedTorus -> ((r * n2 + c) `mod` (n1 * n2)) `divMod` n2

@@ -42,20 +42,20 @@ observedIn reader patch
     width = sum (map length (take 1 patch))
     invalid = Left (Refusal "invalid")
 
-codeIn :: Known -> Code -> Maybe Int
+codeIn :: ProfileFacts -> Code -> Maybe Int
 codeIn k code
   | code < profileOrder (knownProfile k) = Just (fromIntegral code)
   | otherwise = Nothing
 
 -- | The location of a patch by the table of all windows.
-locate :: Known -> Patch -> Either Refusal Location
+locate :: ProfileFacts -> Patch -> Either Refusal Location
 locate k patch = do
   cells <- observedIn (codeIn k) patch
   byWindows k cells
 
 -- | The candidate positions are those that every complete, occurring window of the patch allows.
 -- Of these, the positions remain at which all observed cells agree.
-byWindows :: Known -> [Observed Int] -> Either Refusal Location
+byWindows :: ProfileFacts -> [Observed Int] -> Either Refusal Location
 byWindows k cells
   | null cells = refused "too-few-cells"
   | null windows = refused "no-complete-window"
@@ -85,7 +85,7 @@ byWindows k cells
     cellAt = uncurry (onSurface k surface)
 
 -- | The completely observed windows of a patch, with their offsets.
-completeWindows :: Known -> [Observed Int] -> [(Offset, [Int])]
+completeWindows :: ProfileFacts -> [Observed Int] -> [(Offset, [Int])]
 completeWindows k cells =
   [ ((i, j), content)
     | (i, j) <- map fst cells,
@@ -93,7 +93,7 @@ completeWindows k cells =
   ]
 
 -- | The positions at which these cells equal the array's and all lie on the surface.
-agreeingAt :: Known -> [Observed Int] -> [(Int, Int)]
+agreeingAt :: ProfileFacts -> [Observed Int] -> [(Int, Int)]
 agreeingAt k cells = filter agreeing (positions k)
   where
     at = onSurface k (profileSurface (knownProfile k))
@@ -101,7 +101,7 @@ agreeingAt k cells = filter agreeing (positions k)
 
 -- | The number of these cells that differ, at each position. On the sheet only positions at which
 -- all cells lie on it count.
-differences :: Known -> [Observed Int] -> [((Int, Int), Int)]
+differences :: ProfileFacts -> [Observed Int] -> [((Int, Int), Int)]
 differences k cells = [(place, e) | place <- positions k, let e = differing place 0 cells, e >= 0]
   where
     at = onSurface k (profileSurface (knownProfile k))
@@ -113,12 +113,12 @@ differences k cells = [(place, e) | place <- positions k, let e = differing plac
         | otherwise -> differing place (e + 1) others
 
 -- | The nearest positions, if they are within the radius (the guaranteed one, unless it is given).
-nearest :: Known -> Maybe Natural -> Patch -> Either Refusal Location
+nearest :: ProfileFacts -> Maybe Natural -> Patch -> Either Refusal Location
 nearest k stated patch = do
   cells <- observedIn (codeIn k) patch
   if null cells then refused "too-few-cells" else nearestOf k stated cells
 
-nearestOf :: Known -> Maybe Natural -> [Observed Int] -> Either Refusal Location
+nearestOf :: ProfileFacts -> Maybe Natural -> [Observed Int] -> Either Refusal Location
 nearestOf k stated cells
   | Just (least, places) <- fewest,
     fromIntegral least <= radius =
@@ -158,7 +158,7 @@ position (r, c) = Position (fromIntegral r) (fromIntegral c)
 -- | The positions with a posterior probability above 0, by Bayes' theorem with a uniform prior:
 -- the probability is proportional to the product of the cells' probabilities. It is exact up to the
 -- last division. Cells are not normalised, because that would scale every product equally.
-posterior :: Known -> Chances -> Either Refusal [(Position, Double)]
+posterior :: ProfileFacts -> Chances -> Either Refusal [(Position, Double)]
 posterior k patch = do
   cells <- observedIn (fmap Vector.fromList . weights k) (map (map felt) patch)
   let products = [(place, w) | place <- positions k, let w = likelihood place 1 cells, w > 0]
@@ -184,7 +184,7 @@ over a b
 
 -- | Integers in the proportion of a cell's probabilities. 'Nothing' unless they are q non-negative
 -- numbers that add up to 1 within 0.001, or a valid code.
-weights :: Known -> Chance -> Maybe [Integer]
+weights :: ProfileFacts -> Chance -> Maybe [Integer]
 weights k chance = case chance of
   Unfelt -> Nothing
   Certainly code -> (\c -> [if a == c then 1 else 0 | a <- codes]) <$> codeIn k code

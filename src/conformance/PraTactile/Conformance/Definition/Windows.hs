@@ -38,7 +38,7 @@ maskOf drawing
     cells = [(i, j) | (i, line) <- zip [0 ..] drawing, (j, '#') <- zip [0 ..] line]
 
 -- | The cells of the profile's window, row by row.
-windowOffsets :: Known -> [Offset]
+windowOffsets :: ProfileFacts -> [Offset]
 windowOffsets k =
   [(i, j) | i <- [0 .. fromIntegral high - 1], j <- [0 .. fromIntegral wide - 1]]
   where
@@ -46,7 +46,7 @@ windowOffsets k =
 
 -- | The contents of the cells with these offsets, at each position at which all of them lie on the
 -- surface.
-windowsOn :: Known -> Surface -> [Offset] -> [((Int, Int), [Int])]
+windowsOn :: ProfileFacts -> Surface -> [Offset] -> [((Int, Int), [Int])]
 windowsOn k surface offsets =
   [ (place, content)
     | place@(r, c) <- positions k,
@@ -56,7 +56,7 @@ windowsOn k surface offsets =
 
 -- | Whether all windows on the profile's surface differ, by counting distinct contents. 'Nothing'
 -- if no window lies on it.
-prove :: Known -> [Offset] -> Maybe Proof
+prove :: ProfileFacts -> [Offset] -> Maybe Proof
 prove k offsets
   | null windows = Nothing
   | otherwise = Just (Proof (different == length windows) rank (fromIntegral different))
@@ -70,7 +70,7 @@ prove k offsets
 
 -- | The dimension of the space spanned by the windows on the folding's own surface, by
 -- elimination.
-rankOf :: Known -> [Offset] -> Int
+rankOf :: ProfileFacts -> [Offset] -> Int
 rankOf k offsets = length (foldl' insert [] (map snd (windowsOn k (ownSurface k) offsets)))
   where
     f = knownField k
@@ -91,7 +91,7 @@ rankOf k offsets = length (foldl' insert [] (map snd (windowsOn k (ownSurface k)
 -- The difference of two windows is a third window there: the difference of two shifts of an
 -- m-sequence is another shift, or 0 only for a shift by a whole period. Conversely every window is
 -- such a difference. So the least weight is the least difference.
-distance :: Known -> [Offset] -> Natural
+distance :: ProfileFacts -> [Offset] -> Natural
 distance k offsets =
   fromIntegral (minimum (map weight (positions k)))
   where
@@ -99,17 +99,17 @@ distance k offsets =
     weight (r, c) = length (filter (\(i, j) -> at (r + i) (c + j) /= 0) offsets)
 
 -- | The number of a window: its cells as base-q digits.
-pack :: Known -> [Int] -> Natural
+pack :: ProfileFacts -> [Int] -> Natural
 pack k = foldl' (\n c -> profileOrder (knownProfile k) * n + fromIntegral c) 0 . ordered k
 
 -- | The window of a number below q^cells, the inverse of 'pack'.
-unpack :: Known -> Natural -> [Int]
+unpack :: ProfileFacts -> Natural -> [Int]
 unpack k = ordered k . reverse . map fromIntegral . digits (profileOrder (knownProfile k)) cells
   where
     cells = length (windowOffsets k)
 
 -- | The cells with the most significant digit first.
-ordered :: Known -> [a] -> [a]
+ordered :: ProfileFacts -> [a] -> [a]
 ordered k = case profilePacking (knownProfile k) of
   MostSignificantFirst -> id
   LeastSignificantFirst -> reverse

@@ -12,7 +12,7 @@ import Control.Monad.Trans.Except (except)
 import Data.Bits (xor)
 import qualified Data.Vector.Unboxed as Vector
 import PraTactile.Conformance.Definition (expected)
-import PraTactile.Conformance.Definition.Array (Known (..))
+import PraTactile.Conformance.Definition.Array (ProfileFacts (..))
 import PraTactile.Conformance.Definition.Field (Field (..), field)
 import PraTactile.Conformance.Impostors.Impostor
 import PraTactile.Conformance.Operations
@@ -37,7 +37,7 @@ tables =
       \k -> maybe k (\f -> k {knownField = f}) (anotherField (knownProfile k))
   ]
   where
-    sums, products :: (Int -> Int -> Int -> Int) -> Known -> Known
+    sums, products :: (Int -> Int -> Int -> Int) -> ProfileFacts -> ProfileFacts
     sums plus k = k {knownField = (knownField k) {fieldSums = tableOf plus k}}
     products times k = k {knownField = (knownField k) {fieldProducts = tableOf times k}}
     tableOf operation k =

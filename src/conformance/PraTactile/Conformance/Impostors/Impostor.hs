@@ -50,21 +50,21 @@ definition :: Implementation
 definition = library {open = fmap (\k -> answering (defined k)) . knownUnder}
 
 -- | What is known under a profile; refuses as an implementation does.
-knownUnder :: Profile -> Wire Known
+knownUnder :: Profile -> Wire ProfileFacts
 knownUnder = withExceptT (Refusal . reason) . except . known
   where
     reason cause = case cause of
       NoArray -> "impossible-profile"
       TooManyCells -> "table-too-large"
 
-defined :: Known -> Question a -> Wire a
+defined :: ProfileFacts -> Question a -> Wire a
 defined k = except . expected k
 
 -- | Changes some answers. The edit gets what is known of the profile and the right answers.
 answeringOtherwise ::
   String ->
   String ->
-  (forall a. Known -> RightAnswers -> Question a -> Wire a) ->
+  (forall a. ProfileFacts -> RightAnswers -> Question a -> Wire a) ->
   Impostor
 answeringOtherwise name mistake edit =
   edited name mistake (\k -> answering (edit k (defined k)))
@@ -103,7 +103,7 @@ opening name mistake others = Impostor name mistake [] definition {open = firstO
       [] -> refuse "impossible-profile"
 
 -- | Answers from changed knowledge of the array.
-knowing :: String -> String -> (Known -> Known) -> Impostor
+knowing :: String -> String -> (ProfileFacts -> ProfileFacts) -> Impostor
 knowing name mistake edit = edited name mistake (\k -> answering (defined (edit k)))
 
 -- | Answers as under another profile, if that is possible.
@@ -112,5 +112,5 @@ under name mistake edit = knowing name mistake other
   where
     other k = either (const k) id (known (edit (knownProfile k)))
 
-edited :: String -> String -> (Known -> Session) -> Impostor
+edited :: String -> String -> (ProfileFacts -> Session) -> Impostor
 edited name mistake made = Impostor name mistake [] definition {open = fmap made . knownUnder}

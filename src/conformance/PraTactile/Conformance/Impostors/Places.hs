@@ -15,7 +15,7 @@ import Data.List (elemIndex)
 import Data.Maybe (fromMaybe, isJust)
 import Numeric.Natural (Natural)
 import PraTactile.Array (Position (Position), shapeCells)
-import PraTactile.Conformance.Definition (Known, knownProfile)
+import PraTactile.Conformance.Definition (ProfileFacts, knownProfile)
 import PraTactile.Conformance.Definition.Locate (guaranteedRadius)
 import PraTactile.Conformance.Implementation
 import PraTactile.Conformance.Impostors.Impostor
@@ -58,7 +58,7 @@ locateImpostors =
       fmap (overPositions (\(Position r c) -> Position (r + 1) (c + 1)))
   ]
   where
-    located :: String -> String -> (Known -> Patch -> Patch) -> Impostor
+    located :: String -> String -> (ProfileFacts -> Patch -> Patch) -> Impostor
     located name mistake change =
       answeringOtherwise name mistake $ \k right question -> case question of
         Locate :? rows -> right (Locate :? change k rows)
@@ -77,7 +77,7 @@ locateImpostors =
         _ -> right question
 
 -- | The cells of each completely observed window of a patch, row by row.
-completeWindows :: Known -> Patch -> [[(Natural, Natural)]]
+completeWindows :: ProfileFacts -> Patch -> [[(Natural, Natural)]]
 completeWindows k rows =
   [ cells
     | (i, j) <- map fst seen,

@@ -14,7 +14,7 @@ where
 import Control.Monad.Trans.Except (runExceptT)
 import Data.Maybe (catMaybes)
 import PraTactile.Array (area)
-import PraTactile.Conformance.Definition (Known, known)
+import PraTactile.Conformance.Definition (ProfileFacts, known)
 import PraTactile.Conformance.Direct
 import PraTactile.Conformance.Implementation
 import PraTactile.Conformance.Impostors.Impostor
@@ -38,7 +38,7 @@ data Kill = Kill
 
 -- | The laws of the impostor's stages that find it. Arguments: the seed of drawn cases; the
 -- profiles in order, each with its name and what is known of it by definition; the impostor.
-kills :: Int -> [(String, Profile, Known)] -> Impostor -> IO [Kill]
+kills :: Int -> [(String, Profile, ProfileFacts)] -> Impostor -> IO [Kill]
 kills seed profiles impostor =
   catMaybes
     <$> traverse
@@ -50,7 +50,7 @@ kills seed profiles impostor =
 
 -- | How the law with this id finds the impostor, under the first profile in which it does;
 -- 'Nothing' if it does not. The other arguments are those of 'kills'.
-killBy :: Int -> [(String, Profile, Known)] -> Impostor -> String -> IO (Maybe Kill)
+killBy :: Int -> [(String, Profile, ProfileFacts)] -> Impostor -> String -> IO (Maybe Kill)
 killBy seed profiles impostor law =
   firstJust [fmap (Kill law name) <$> findsBy name | name <- names]
   where
@@ -63,7 +63,7 @@ killBy seed profiles impostor law =
 -- first one that the impostor violates. The 'killCases' are not used. 'Nothing' if the impostor
 -- violates none or refuses the profile, and if the law or the profile is unknown. The other
 -- arguments are those of 'kills'.
-findsAt :: Int -> [(String, Profile, Known)] -> Impostor -> Kill -> IO (Maybe Int)
+findsAt :: Int -> [(String, Profile, ProfileFacts)] -> Impostor -> Kill -> IO (Maybe Int)
 findsAt seed profiles impostor kill
   | law : _ <- [law | law <- openingLaws, lawId law == killLaw kill] =
     findsOpening seed [p | (_, p, _) <- profiles] law impostor
@@ -85,7 +85,7 @@ findsOpening seed profiles law impostor =
   openingRespondent (impostorMade impostor) >>= finds usualCases seed law profiles
 
 -- | 'finds' for a law under a profile; 'Nothing' if the impostor refuses it.
-findsUnder :: Int -> Profile -> Known -> Law Known -> Impostor -> IO (Maybe Int)
+findsUnder :: Int -> Profile -> ProfileFacts -> Law ProfileFacts -> Impostor -> IO (Maybe Int)
 findsUnder seed p about law impostor =
   runExceptT (open (impostorMade impostor) p)
     >>= either (const (pure Nothing)) (finds usualCases seed law about . sessionRespondent)
@@ -110,7 +110,7 @@ sceneCases = 12
 
 -- | The default profiles with at most 1024 cells, each with its name and what is known of it by
 -- definition. An impostor that is found under some default profile is found under one of these.
-comparedProfiles :: [(String, Profile, Known)]
+comparedProfiles :: [(String, Profile, ProfileFacts)]
 comparedProfiles =
   [ (name, p, about)
     | (name, p) <- defaultProfiles,

@@ -76,18 +76,18 @@ stitchImpostors :: [Impostor]
 stitchImpostors =
   [ stitched "stitches-nothing" "leaves every frame where it should be" $ \_ _ -> (0, 0),
     stitched "stretches-the-robot" "takes the robot's taxels for 5 % longer than they are" $
-      \(Placed _ (px, py)) (x, y) -> (x + 0.05 * fromInteger px, y + 0.05 * fromInteger py),
+      \(NominalFrame _ (px, py)) (x, y) -> (x + 0.05 * fromInteger px, y + 0.05 * fromInteger py),
     withoutProfileOtherwise "stitches-frames-of-any-size" "cuts frames of two sizes alike" $
       \right question -> case question of
         Stitch :? (shapes, search, frames) ->
-          let high = minimum (256 : [length rows | Placed rows _ <- frames])
-              wide = minimum (256 : [length row | Placed rows _ <- frames, row <- rows])
-              cut (Placed rows place) = Placed (map (take wide) (take high rows)) place
+          let high = minimum (256 : [length rows | NominalFrame rows _ <- frames])
+              wide = minimum (256 : [length row | NominalFrame rows _ <- frames, row <- rows])
+              cut (NominalFrame rows place) = NominalFrame (map (take wide) (take high rows)) place
            in right (Stitch :? (shapes, search, map cut frames))
         _ -> right question
   ]
   where
-    stitched :: String -> String -> (Placed -> Taxels -> Taxels) -> Impostor
+    stitched :: String -> String -> (NominalFrame -> Taxels -> Taxels) -> Impostor
     stitched name mistake change =
       withoutProfileOtherwise name mistake $ \right question -> case question of
         Stitch :? (_, _, frames) -> zipWith change frames <$> right question

@@ -14,7 +14,7 @@ import Data.Aeson (Value (..), toJSON)
 import Data.List (nub)
 import Numeric.Natural (Natural)
 import PraTactile.Array (Folding (..), Position (..), Shape (..), area, naturalsBelow, shapeCells)
-import PraTactile.Conformance.Definition (Known, knownProfile)
+import PraTactile.Conformance.Definition (ProfileFacts, knownProfile)
 import PraTactile.Conformance.Law
 import PraTactile.Conformance.Laws.Draw
 import PraTactile.Conformance.Laws.Forms
@@ -29,10 +29,10 @@ import PraTactile.Profile (Profile (..))
 import Test.QuickCheck hiding (listOf)
 
 -- | The laws of the array's cells.
-arrayLaws :: [Law Known]
+arrayLaws :: [Law ProfileFacts]
 arrayLaws = cellLaws ++ formLaws OnArray [SomeOp Cell]
 
-cellLaws :: [Law Known]
+cellLaws :: [Law ProfileFacts]
 cellLaws =
   [ defined OnArray "cell-as-defined" Cell "every cell of the array" folding $ \known ->
       let shape@(Shape n1 n2) = profileShape (knownProfile known)
@@ -88,7 +88,7 @@ aroundTheEdges (Shape n1 n2) =
   where
     around n = [0, 1] ++ [n - 1, n, n + 1, 2 * n - 1, 2 * n, 3 * n + 1]
 
-folded :: Known -> Natural -> Trial ()
+folded :: ProfileFacts -> Natural -> Trial ()
 folded known i = do
   wanted <- answer known (Term :? i)
   got <- answer known question
@@ -108,13 +108,13 @@ folded known i = do
       RowMajor -> Cell :? Position ((i `div` n2) `mod` n1) (i `mod` n2)
 
 -- | The laws of packing.
-windowLaws :: [Law Known]
+windowLaws :: [Law ProfileFacts]
 windowLaws =
   packingLaws
     ++ [orderLaw OnWindow (operationsIn OnWindow)]
     ++ formLaws OnWindow (operationsIn OnWindow)
 
-packingLaws :: [Law Known]
+packingLaws :: [Law ProfileFacts]
 packingLaws =
   [ defined
       OnWindow
@@ -172,11 +172,11 @@ packingLaws =
 packing :: String
 packing = "the profile's packing and window"
 
-cellsOf :: Known -> Natural
+cellsOf :: ProfileFacts -> Natural
 cellsOf = area . profileWindow . knownProfile
 
 -- | All contents of a window, or drawn ones if there are more than 1024.
-contents :: ([Code] -> SomeQuestion) -> Known -> Domain SomeQuestion
+contents :: ([Code] -> SomeQuestion) -> ProfileFacts -> Domain SomeQuestion
 contents asked known
   | profileOrder p ^ cellsOf known <= 1024 =
     Every (asked <$> replicateM (fromIntegral (cellsOf known)) (elementsOf p))
@@ -184,18 +184,18 @@ contents asked known
   where
     p = knownProfile known
 
-genContent :: Known -> Gen [Code]
+genContent :: ProfileFacts -> Gen [Code]
 genContent known =
   vectorOf (fromIntegral (cellsOf known)) (upTo (profileOrder (knownProfile known) - 1))
 
-numbers :: Known -> Domain SomeQuestion
+numbers :: ProfileFacts -> Domain SomeQuestion
 numbers known
   | most <= 1024 = Every (SomeQuestion . (Unpack :?) <$> naturalsBelow most)
   | otherwise = Some (SomeQuestion . (Unpack :?) <$> upTo (most - 1)) smallerQuestions
   where
     most = profileOrder (knownProfile known) ^ cellsOf known
 
-unpacked :: Known -> [Code] -> Trial ()
+unpacked :: ProfileFacts -> [Code] -> Trial ()
 unpacked known codes = do
   number <- answer known (Pack :? codes)
   got <- answer known (Unpack :? number)

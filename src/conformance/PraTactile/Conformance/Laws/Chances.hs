@@ -12,7 +12,7 @@ import Data.Aeson (Value (Null), toJSON)
 import Data.List (sort)
 import Numeric.Natural (Natural)
 import PraTactile.Array (Position (..), Shape (..), Surface (..), area, naturalsBelow)
-import PraTactile.Conformance.Definition (Known, knownProfile)
+import PraTactile.Conformance.Definition (ProfileFacts, knownProfile)
 import PraTactile.Conformance.Law
 import PraTactile.Conformance.Laws.Draw
 import PraTactile.Conformance.Laws.Forms
@@ -26,7 +26,7 @@ import PraTactile.Profile (Profile (..))
 import Test.QuickCheck
 
 -- | The laws of the probabilities of positions.
-chanceLaws :: [Law Known]
+chanceLaws :: [Law ProfileFacts]
 chanceLaws =
   map ofFew $
     systematicLaws ++ drawnLaws
@@ -43,7 +43,7 @@ chanceLaws =
               else lawCases one known
         }
 
-bayes :: String -> String -> (Known -> Domain SomeQuestion) -> Law Known
+bayes :: String -> String -> (ProfileFacts -> Domain SomeQuestion) -> Law ProfileFacts
 bayes what sentence =
   defined
     OnChances
@@ -59,7 +59,7 @@ asked = SomeQuestion . (Posterior :?)
 certain :: Patch -> Chances
 certain = map (map (maybe Unfelt Certainly))
 
-systematicLaws :: [Law Known]
+systematicLaws :: [Law ProfileFacts]
 systematicLaws =
   [ bayes "certain-cells" "for certain symbols all positions that agree are equally likely" $
       \known -> Every (asked . certain <$> smallPatches 70 (knownProfile known)),
@@ -97,7 +97,7 @@ systematicLaws =
 
 -- | A certain window within a larger patch, whose other cells most probably have another symbol
 -- than the array's.
-unlikely :: Known -> [Chances]
+unlikely :: ProfileFacts -> [Chances]
 unlikely known =
   [ [ [ if i < h && j < w then Certainly code else Probably (scarcely share code)
         | (j, code) <- zip [0 ..] line
@@ -120,7 +120,7 @@ unlikely known =
 
 -- | A thousand cells of a small array. Each most probably has the array's symbol, but with
 -- probability below 1/2 if there are more than two symbols.
-manyCells :: Known -> [Chances]
+manyCells :: ProfileFacts -> [Chances]
 manyCells known =
   [ map (map (Probably . likely)) (seenAt known (Shape (side n1) (side n2)) (Position 0 0))
     | area (profileShape p) <= 128,
@@ -149,7 +149,7 @@ uneven p = take n (iterate (/ 2) 0.5) ++ [0.5 ^^ n]
   where
     n = fromIntegral (profileOrder p) - 1 :: Int
 
-drawnLaws :: [Law Known]
+drawnLaws :: [Law ProfileFacts]
 drawnLaws =
   [ bayes
       "bayes"
@@ -203,7 +203,7 @@ doubtful p cell = case cell of
     scaled :: Integer -> Code -> [Double]
     scaled share code = map (* (fromInteger share / 64)) (sure p code)
 
-invalidLaw :: Law Known
+invalidLaw :: Law ProfileFacts
 invalidLaw =
   invalid OnChances "posterior-refuses-what-is-invalid" Posterior $ \known ->
     let p = knownProfile known

@@ -12,7 +12,7 @@ import Data.Aeson (Value (..), toJSON)
 import Data.Scientific (scientific)
 import Numeric.Natural (Natural)
 import PraTactile.Array (Position (..), Surface (..), area, naturalSurface)
-import PraTactile.Conformance.Definition (Known, expected, knownProfile)
+import PraTactile.Conformance.Definition (ProfileFacts, expected, knownProfile)
 import PraTactile.Conformance.Law
 import PraTactile.Conformance.Laws.Draw
 import PraTactile.Conformance.Laws.Forms
@@ -27,7 +27,7 @@ import PraTactile.Profile (Profile (..))
 import Test.QuickCheck hiding (listOf)
 
 -- | The laws of the nearest position.
-damageLaws :: [Law Known]
+damageLaws :: [Law ProfileFacts]
 damageLaws =
   correctionLaws ++ systematicLaws ++ drawnLaws
     ++ [orderLaw OnDamage [SomeOp Locate, SomeOp Nearest]]
@@ -39,7 +39,7 @@ source =
   "MacWilliams and Sloane, The Theory of Error-Correcting Codes, chapter 1; the \
   \protocol, nearest"
 
-comparing :: String -> String -> (Known -> Domain SomeQuestion) -> Law Known
+comparing :: String -> String -> (ProfileFacts -> Domain SomeQuestion) -> Law ProfileFacts
 comparing what sentence = defined OnDamage what Nearest sentence source
 
 -- | A patch with its position and its true cells.
@@ -76,7 +76,7 @@ lessDamaged seen =
     put i x xs = take i xs ++ x : drop (i + 1) xs
 
 -- | The laws of guaranteed correction.
-correctionLaws :: [Law Known]
+correctionLaws :: [Law ProfileFacts]
 correctionLaws =
   [ law
       OnDamage
@@ -114,7 +114,7 @@ wrongCells seen =
         ]
     )
 
-corrected :: Known -> Maybe Natural -> Seen -> Trial ()
+corrected :: ProfileFacts -> Maybe Natural -> Seen -> Trial ()
 corrected known radius seen
   | profileSurface p `notElem` [Sheet, naturalSurface (profileFolding p)] = inapplicable
   | 2 * wrongCells seen < observedDistance known (seenPatch seen) = do
@@ -130,7 +130,7 @@ corrected known radius seen
     question = Nearest :? (radius, seenPatch seen)
 
 -- | The distance of the observed cells on the folding's own surface; 0 if no cell was observed.
-observedDistance :: Known -> Patch -> Natural
+observedDistance :: ProfileFacts -> Patch -> Natural
 observedDistance known rows =
   either (const 0) id (expected known (Distance :? map (map drawn) rows))
   where
@@ -138,7 +138,7 @@ observedDistance known rows =
 
 -- | A patch with as many missing and wrong cells as the distance of its shape can correct. On a
 -- surface that is neither the folding's own nor the sheet, no correction is guaranteed.
-genWithin :: Known -> Gen Seen
+genWithin :: ProfileFacts -> Gen Seen
 genWithin known = do
   shape <- elements (shapesAround p)
   place <- genPlace p shape
@@ -170,7 +170,7 @@ genWithin known = do
 
 data Fate = Kept | Gone | Wrong
 
-systematicLaws :: [Law Known]
+systematicLaws :: [Law ProfileFacts]
 systematicLaws =
   [ comparing "small-patches" (asCompared ++ ", within the guaranteed radius") $ \known ->
       Every (asked Nothing <$> smallPatches 300 (knownProfile known)),
@@ -218,7 +218,7 @@ asCompared =
 asked :: Maybe Natural -> Patch -> SomeQuestion
 asked radius = SomeQuestion . (Nearest :?) . (,) radius
 
-drawnLaws :: [Law Known]
+drawnLaws :: [Law ProfileFacts]
 drawnLaws =
   [ comparing "guaranteed-radius" (asCompared ++ ", within the guaranteed radius") $ \known ->
       Some (asked Nothing <$> genDamaged known (Damage 15 15)) smallerQuestions,
@@ -246,7 +246,7 @@ drawnLaws =
         Some (asked Nothing <$> genDamaged known (Damage 75 0)) smallerQuestions
   ]
 
-invalidLaw :: Law Known
+invalidLaw :: Law ProfileFacts
 invalidLaw =
   invalid OnDamage "nearest-refuses-what-is-invalid" Nearest $ \known ->
     [ rawWith (Nearest :? (Nothing, [[Just 1]])) "radius" radius

@@ -37,7 +37,7 @@ import Control.Monad (replicateM)
 import Data.List (sortOn)
 import Numeric.Natural (Natural)
 import PraTactile.Array (Position (..), Shape (..), Surface (..), area, naturalsBelow, shapeCells)
-import PraTactile.Conformance.Definition.Array (Known, cellOf, knownProfile)
+import PraTactile.Conformance.Definition.Array (ProfileFacts, cellOf, knownProfile)
 import PraTactile.Conformance.Question
 import PraTactile.Profile (Profile (..))
 import Test.QuickCheck
@@ -107,7 +107,7 @@ ofVast few p cases
 
 -- | The cell at a position that may lie beyond the edges, continued on the profile's surface; a
 -- sheet is continued like a torus.
-surfaceCell :: Known -> Position -> Code
+surfaceCell :: ProfileFacts -> Position -> Code
 surfaceCell known at =
   let Position r c = cellAt (knownProfile known) at in fromIntegral (cellOf known r c)
 
@@ -120,7 +120,7 @@ cellAt p (Position r c) = case profileSurface p of
     Shape n1 n2 = profileShape p
 
 -- | The cells in a rectangle of the given shape at a position.
-seenAt :: Known -> Shape -> Position -> [[Code]]
+seenAt :: ProfileFacts -> Shape -> Position -> [[Code]]
 seenAt known (Shape high wide) (Position r c) =
   [ [surfaceCell known (Position (r + i) (c + j)) | j <- naturalsBelow wide]
     | i <- naturalsBelow high
@@ -192,7 +192,7 @@ suffered p (Damage erased wrong) = fate
 
 -- | A damaged patch from somewhere on the profile's surface: mostly of a shape near the window's,
 -- sometimes a wide one.
-genDamaged :: Known -> Damage -> Gen Patch
+genDamaged :: ProfileFacts -> Damage -> Gen Patch
 genDamaged known damage = frequency [(9, around), (1, wide)]
   where
     p = knownProfile known
@@ -204,7 +204,7 @@ genDamaged known damage = frequency [(9, around), (1, wide)]
 
 -- | A patch of up to 30 rows and 40 columns with a mostly complete window and other cells. It may
 -- be larger than the array, but only slightly on the sheet.
-genWide :: Known -> Gen Patch
+genWide :: ProfileFacts -> Gen Patch
 genWide known = do
   Shape high wide <- Shape <$> side 30 n1 h <*> side 40 n2 w
   place <- genPlace p (Shape high wide)

@@ -11,7 +11,7 @@ where
 import Control.Monad (replicateM)
 import Data.Aeson (Value (Number))
 import Numeric.Natural (Natural)
-import PraTactile.Conformance.Definition (Known, knownProfile)
+import PraTactile.Conformance.Definition (ProfileFacts, knownProfile)
 import PraTactile.Conformance.Law
 import PraTactile.Conformance.Laws.Draw
 import PraTactile.Conformance.Laws.Forms
@@ -26,7 +26,7 @@ import PraTactile.Profile (Profile (..))
 import Test.QuickCheck (elements, vectorOf)
 
 -- | The laws of GF(q).
-fieldLaws :: [Law Known]
+fieldLaws :: [Law ProfileFacts]
 fieldLaws =
   operationLaws ++ powerLaws ++ additionAxioms ++ multiplicationAxioms ++ otherLaws
     ++ [orderLaw OnField (operationsIn OnField)]
@@ -34,7 +34,7 @@ fieldLaws =
     ++ invalidLaws
 
 -- | Each operation on all codes.
-operationLaws :: [Law Known]
+operationLaws :: [Law ProfileFacts]
 operationLaws =
   [ ofCodes "addition-as-defined" Add 2 "a + b is the sum of polynomials over the prime field" two,
     ofCodes
@@ -68,7 +68,7 @@ operationLaws =
     two codes = [(a, b) | [a, b] <- [codes]]
 
 -- | A law that an operation is answered by definition, on all lists of @count@ codes.
-ofCodes :: Show i => String -> Op i o -> Int -> String -> ([Code] -> [i]) -> Law Known
+ofCodes :: Show i => String -> Op i o -> Int -> String -> ([Code] -> [i]) -> Law ProfileFacts
 ofCodes what operation count sentence inputs =
   defined OnField what operation sentence byModulus $ \known ->
     case codesDomain count (knownProfile known) of
@@ -90,7 +90,7 @@ codesDomain count p
       (vectorOf count (upTo (profileOrder p - 1)))
       (filter ((== count) . length) . lessList lessNatural)
 
-powerLaws :: [Law Known]
+powerLaws :: [Law ProfileFacts]
 powerLaws =
   [ defined
       OnField
@@ -131,17 +131,17 @@ equation ::
   [SomeOp] ->
   Int ->
   String ->
-  (Known -> [Code] -> Trial ()) ->
-  Law Known
+  (ProfileFacts -> [Code] -> Trial ()) ->
+  Law ProfileFacts
 equation what needs count sentence held =
   law OnField what needs sentence "the axioms of a field; Lidl and Niederreiter, chapter 1" $
     \known ->
       Cases (listOf natural) (codesDomain count (knownProfile known)) (trial . held known)
 
-add :: Known -> Code -> Code -> Trial Code
+add :: ProfileFacts -> Code -> Code -> Trial Code
 add known a b = answer known (Add :? (a, b))
 
-multiply :: Known -> Code -> Code -> Trial Code
+multiply :: ProfileFacts -> Code -> Code -> Trial Code
 multiply known a b = answer known (Multiply :? (a, b))
 
 -- | Requires that the last answer equals the given code.
@@ -155,7 +155,7 @@ same sentence wanted got =
 
 -- | A law that an operation is associative.
 associates ::
-  String -> Op i o -> (Known -> Code -> Code -> Trial Code) -> String -> Law Known
+  String -> Op i o -> (ProfileFacts -> Code -> Code -> Trial Code) -> String -> Law ProfileFacts
 associates name operation ask sentence =
   equation (name ++ "-associates") [SomeOp operation] 3 sentence $ \known codes -> case codes of
     [a, b, c] -> do
@@ -165,7 +165,12 @@ associates name operation ask sentence =
     _ -> inapplicable
 
 -- | A law that an operation is commutative.
-commutes :: String -> Op i o -> (Known -> Code -> Code -> Trial Code) -> String -> Law Known
+commutes ::
+  String ->
+  Op i o ->
+  (ProfileFacts -> Code -> Code -> Trial Code) ->
+  String ->
+  Law ProfileFacts
 commutes name operation ask sentence =
   equation (name ++ "-commutes") [SomeOp operation] 2 sentence $ \known codes -> case codes of
     [a, b] -> do
@@ -174,7 +179,7 @@ commutes name operation ask sentence =
       same sentence left right
     _ -> inapplicable
 
-additionAxioms :: [Law Known]
+additionAxioms :: [Law ProfileFacts]
 additionAxioms =
   [ associates "addition" Add add "a + (b + c) = (a + b) + c",
     commutes "addition" Add add "a + b = b + a",
@@ -187,7 +192,7 @@ additionAxioms =
         _ -> inapplicable
   ]
 
-multiplicationAxioms :: [Law Known]
+multiplicationAxioms :: [Law ProfileFacts]
 multiplicationAxioms =
   [ associates "multiplication" Multiply multiply "a (b c) = (a b) c",
     commutes "multiplication" Multiply multiply "a b = b a",
@@ -216,7 +221,7 @@ multiplicationAxioms =
   ]
 
 -- | The relations of characteristic, powers, logarithms and traces to sums and products.
-otherLaws :: [Law Known]
+otherLaws :: [Law ProfileFacts]
 otherLaws =
   [ equation "characteristic-is-p" [SomeOp Add] 1 "a + a + ... + a = 0 with p summands" $
       \known codes -> case codes of
@@ -269,7 +274,7 @@ otherLaws =
   where
     modulo known n = n `mod` max 1 (profileOrder (knownProfile known) - 1)
     -- By doubling, so that a large characteristic needs few sums.
-    multiple :: Known -> Natural -> Code -> Trial Code
+    multiple :: ProfileFacts -> Natural -> Code -> Trial Code
     multiple known count a
       | count == 0 = pure 0
       | otherwise = do
@@ -278,7 +283,7 @@ otherLaws =
         if odd count then add known twice a else pure twice
 
 -- | The laws of invalid codes and of malformed inputs.
-invalidLaws :: [Law Known]
+invalidLaws :: [Law ProfileFacts]
 invalidLaws =
   [ none Add (1, 1) (\a -> [(a, 0), (0, a)]),
     none Multiply (1, 1) (\a -> [(a, 0), (0, a)]),
@@ -289,7 +294,7 @@ invalidLaws =
     none Trace 1 pure
   ]
   where
-    none :: Show i => Op i o -> i -> (Code -> [i]) -> Law Known
+    none :: Show i => Op i o -> i -> (Code -> [i]) -> Law ProfileFacts
     none operation input tooLarge =
       invalid OnField (nameOf (SomeOp operation) ++ "-refuses-what-is-invalid") operation $
         \known ->

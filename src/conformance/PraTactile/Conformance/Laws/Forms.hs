@@ -21,7 +21,7 @@ import Data.Foldable (toList)
 import Data.List (intersperse, nub)
 import qualified Data.Text as Text
 import qualified Data.Vector as Vector
-import PraTactile.Conformance.Definition (Known)
+import PraTactile.Conformance.Definition (ProfileFacts)
 import PraTactile.Conformance.Forms (readWhole)
 import PraTactile.Conformance.Law
 import PraTactile.Conformance.Laws.Judge
@@ -29,7 +29,7 @@ import PraTactile.Conformance.Operations
 import PraTactile.Conformance.Question
 
 -- | One law for each of the operations that take integers, in its stage.
-formLaws :: Stage -> [SomeOp] -> [Law Known]
+formLaws :: Stage -> [SomeOp] -> [Law ProfileFacts]
 formLaws stage operations =
   [ law
       stage

@@ -50,8 +50,8 @@ defined ::
   Op i o ->
   String ->
   String ->
-  (Known -> Domain SomeQuestion) ->
-  Law Known
+  (ProfileFacts -> Domain SomeQuestion) ->
+  Law ProfileFacts
 defined stage what operation sentence source domain =
   law stage what [SomeOp operation] sentence source $ \known ->
     Cases questionForm (domain known) (asDefined known)
@@ -97,10 +97,10 @@ law :: Stage -> String -> [SomeOp] -> String -> String -> (about -> Cases) -> La
 law stage what = Law (stageName stage ++ "/" ++ what) stage
 
 -- | Asks a question and judges the answer by the definition.
-asDefined :: Known -> SomeQuestion -> Ask Verdict
+asDefined :: ProfileFacts -> SomeQuestion -> Ask Verdict
 asDefined known (SomeQuestion question) = judgedAsDefined known question <$> ask question
 
-judgedAsDefined :: Known -> Question a -> Either Refusal a -> Verdict
+judgedAsDefined :: ProfileFacts -> Question a -> Either Refusal a -> Verdict
 judgedAsDefined known question got = judge question shown fits road reason got
   where
     shown = either (const wanted) (\a -> inFormOf known question a <$> wanted) got
@@ -110,7 +110,7 @@ judgedAsDefined known question got = judge question shown fits road reason got
     reason = why known question wanted
 
 -- | Asks questions in turn and judges each answer by the definition.
-inOrder :: Known -> [SomeQuestion] -> Ask Verdict
+inOrder :: ProfileFacts -> [SomeQuestion] -> Ask Verdict
 inOrder known = go []
   where
     go before questions = case questions of
@@ -183,7 +183,7 @@ trial asking = do
 
 -- | Asks a question that the definition answers; a refusal is a violation. If the definition
 -- refuses too, the law does not apply.
-answer :: Known -> Question a -> Trial a
+answer :: ProfileFacts -> Question a -> Trial a
 answer known question = do
   got <- lift (lift (ask question))
   lift (modify' (exchanged question got :))

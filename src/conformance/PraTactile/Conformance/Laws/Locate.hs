@@ -16,7 +16,7 @@ where
 import Data.Aeson (toJSON)
 import Numeric.Natural (Natural)
 import PraTactile.Array (Position (..), Shape (..), naturalsBelow)
-import PraTactile.Conformance.Definition (Known, knownProfile)
+import PraTactile.Conformance.Definition (ProfileFacts, knownProfile)
 import PraTactile.Conformance.Law
 import PraTactile.Conformance.Laws.Draw
 import PraTactile.Conformance.Laws.Forms
@@ -31,14 +31,14 @@ import PraTactile.Profile (Profile (..))
 import Test.QuickCheck
 
 -- | The laws of locating by the table.
-locateLaws :: [Law Known]
+locateLaws :: [Law ProfileFacts]
 locateLaws =
   systematicLaws ++ drawnLaws ++ [inverseOfLooking]
     ++ [orderLaw OnLocate [SomeOp Locate]]
     ++ formLaws OnLocate [SomeOp Locate]
     ++ [invalidLaw]
 
-ofTable :: String -> String -> (Known -> Domain SomeQuestion) -> Law Known
+ofTable :: String -> String -> (ProfileFacts -> Domain SomeQuestion) -> Law ProfileFacts
 ofTable what sentence = defined OnLocate what Locate sentence table
 
 table :: String
@@ -47,7 +47,7 @@ table = "the memory table of Petriu and others (2004), section II; the protocol,
 asked :: Patch -> SomeQuestion
 asked = SomeQuestion . (Locate :?)
 
-systematicLaws :: [Law Known]
+systematicLaws :: [Law ProfileFacts]
 systematicLaws =
   [ ofTable "every-window" "the window at every position is located there" $ \known ->
       let p = knownProfile known
@@ -68,7 +68,7 @@ systematicLaws =
       "a patch across the edges is located where the surface continues, and refused as off-sheet \
       \where it ends"
 
-drawnLaws :: [Law Known]
+drawnLaws :: [Law ProfileFacts]
 drawnLaws =
   [ ofTable
       "larger-patches"
@@ -115,7 +115,7 @@ unobserved p = map (constant Nothing) (shapesAround p)
 -- edges not observed, or with the cells before them not observed. In these only the upper left
 -- cell, or its row or column, is beyond the upper and left edges. Also two cells that are further
 -- apart than the sheet is long.
-acrossEdges :: Known -> [Patch]
+acrossEdges :: ProfileFacts -> [Patch]
 acrossEdges known =
   ofVast 30 p $
     [ kept (\r c -> r `elem` [0, n1] && c `elem` [0, n2]) shape (Position 0 0)
@@ -158,7 +158,7 @@ acrossEdges known =
         | (i, line) <- zip [0 ..] (seenAt known shape (Position r c))
       ]
 
-inverseOfLooking :: Law Known
+inverseOfLooking :: Law ProfileFacts
 inverseOfLooking =
   law
     OnLocate
@@ -177,7 +177,7 @@ inverseOfLooking =
     nearer (Position r c) =
       [Position r' c | r' <- lessNatural r] ++ [Position r c' | c' <- lessNatural c]
 
-looked :: Known -> Position -> Trial ()
+looked :: ProfileFacts -> Position -> Trial ()
 looked known place@(Position r c) = do
   cells <- traverse (traverse (fmap Just . answer known . (Cell :?) . cellAt p)) offsets
   found <- answer known (Locate :? cells)
@@ -195,14 +195,14 @@ looked known place@(Position r c) = do
     Shape h w = profileWindow p
     offsets = [[Position (r + i) (c + j) | j <- naturalsBelow w] | i <- naturalsBelow h]
 
-invalidLaw :: Law Known
+invalidLaw :: Law ProfileFacts
 invalidLaw =
   invalid OnLocate "locate-refuses-what-is-invalid" Locate $ \known ->
     noSymbols (Locate :? [[Just 1]]) known :
     illFormedPatches (Locate :? [[Just 1, Nothing], [Just 0, Just 1]]) known
 
 -- | The given question with probabilities in place of its patch's codes, which is refused.
-noSymbols :: Question a -> Known -> SomeQuestion
+noSymbols :: Question a -> ProfileFacts -> SomeQuestion
 noSymbols question known = rawWith question "patch" (toJSON [[replicate q (1 / real :: Double)]])
   where
     q = fromIntegral (profileOrder (knownProfile known))
@@ -210,7 +210,7 @@ noSymbols question known = rawWith question "patch" (toJSON [[replicate q (1 / r
 
 -- | The given question with invalid patches (without cells, with rows of different lengths, with
 -- numbers that are not codes), and with malformed inputs.
-illFormedPatches :: Question a -> Known -> [SomeQuestion]
+illFormedPatches :: Question a -> ProfileFacts -> [SomeQuestion]
 illFormedPatches question known =
   map (rawWith question "patch") patches ++ malformed question
   where

@@ -11,7 +11,7 @@ import Data.List (nub)
 import Numeric.Natural (Natural)
 import PraTactile.Array (Folding (..), Position (..), Shape (..), area)
 import PraTactile.Conformance.Ask
-import PraTactile.Conformance.Definition (Known, known, knownProfile)
+import PraTactile.Conformance.Definition (ProfileFacts, known, knownProfile)
 import PraTactile.Conformance.Law
 import PraTactile.Conformance.Laws.Draw (characteristicOf, degreeOf, isVast, periodOf, seenAt)
 import PraTactile.Conformance.Laws.Judge
@@ -114,7 +114,7 @@ inTurns before profiles = case profiles of
       _ -> opened True "the profile names an array" p
 
 -- | A question of each operation that depends on another part of the profile.
-fewOf :: Known -> [SomeQuestion]
+fewOf :: ProfileFacts -> [SomeQuestion]
 fewOf about =
   [ SomeQuestion (Term :? degreeOf p),
     SomeQuestion (Cell :? Position n1 (n2 - 1)),

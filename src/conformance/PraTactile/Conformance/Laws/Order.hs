@@ -8,7 +8,7 @@ module PraTactile.Conformance.Laws.Order
   )
 where
 
-import PraTactile.Conformance.Definition (Known)
+import PraTactile.Conformance.Definition (ProfileFacts)
 import PraTactile.Conformance.Law
 import PraTactile.Conformance.Laws.Judge
 import PraTactile.Conformance.Operations
@@ -19,7 +19,7 @@ import Test.QuickCheck (choose, elements, oneof, vectorOf)
 
 -- | The law that these operations are answered alike in any order. The last operation belongs to
 -- the stage.
-orderLaw :: Stage -> [SomeOp] -> Law Known
+orderLaw :: Stage -> [SomeOp] -> Law ProfileFacts
 orderLaw stage operations =
   law
     stage

@@ -11,7 +11,7 @@ import Control.Monad (replicateM)
 import Data.Aeson (Value (..), toJSON)
 import Numeric.Natural (Natural)
 import PraTactile.Conformance.Ask (Ask)
-import PraTactile.Conformance.Definition (Known, expected, knownProfile)
+import PraTactile.Conformance.Definition (ProfileFacts, expected, knownProfile)
 import PraTactile.Conformance.Definition.Array (knownField)
 import PraTactile.Conformance.Definition.Polynomial (primeDivisors, primitiveAndShort)
 import PraTactile.Conformance.Law
@@ -27,13 +27,13 @@ import PraTactile.Profile (Profile (..))
 import Test.QuickCheck hiding (listOf)
 
 -- | The laws of polynomials over GF(q).
-polynomialLaws :: [Law Known]
+polynomialLaws :: [Law ProfileFacts]
 polynomialLaws =
   definitionLaws ++ relationLaws
     ++ formLaws OnPolynomial (operationsIn OnPolynomial)
     ++ invalidLaws
 
-definitionLaws :: [Law Known]
+definitionLaws :: [Law ProfileFacts]
 definitionLaws =
   [ defined OnPolynomial "primitive-as-defined" Primitive primitiveSentence source $ \known ->
       Every (SomeQuestion . (Primitive :?) <$> smallPolynomials (knownProfile known)),
@@ -105,7 +105,7 @@ smallPolynomials p =
 -- large prime. The degrees are the least for which q^n - 1 has a prime above 100, and for small
 -- fields one above 2^16. For large fields q^n - 1 itself is above 2^53, with primes that are found
 -- quickly.
-highDegrees :: Known -> [[Code]]
+highDegrees :: ProfileFacts -> [[Code]]
 highDegrees known =
   [ map fromIntegral h
     | n <-
@@ -133,7 +133,7 @@ drawnUpTo most p = do
   where
     q = profileOrder p
 
-relationLaws :: [Law Known]
+relationLaws :: [Law ProfileFacts]
 relationLaws =
   [ law
       OnPolynomial
@@ -177,7 +177,7 @@ relationLaws =
         True
         yes
 
-alike :: Known -> [Code] -> Ask Verdict
+alike :: ProfileFacts -> [Code] -> Ask Verdict
 alike known codes = case inverted of
   Right factor -> trial $ do
     one' <- answer known (Primitive :? codes)
@@ -198,7 +198,7 @@ alike known codes = case inverted of
       x : _ -> x
       [] -> 0
 
-invalidLaws :: [Law Known]
+invalidLaws :: [Law ProfileFacts]
 invalidLaws =
   [ invalid OnPolynomial "primitive-refuses-what-is-invalid" Primitive $ \known ->
       [ SomeQuestion (Primitive :? codes)

@@ -12,7 +12,7 @@ import Data.Aeson (toJSON)
 import Data.List (intercalate)
 import Numeric.Natural (Natural)
 import PraTactile.Array (Shape (..), area, naturalSurface)
-import PraTactile.Conformance.Definition (Known, knownProfile)
+import PraTactile.Conformance.Definition (ProfileFacts, knownProfile)
 import PraTactile.Conformance.Law
 import PraTactile.Conformance.Laws.Draw
 import PraTactile.Conformance.Laws.Judge
@@ -24,7 +24,7 @@ import PraTactile.Profile (Profile (..))
 import Test.QuickCheck (Gen, frequency, listOf1)
 
 -- | The laws of proofs and distances.
-proofLaws :: [Law Known]
+proofLaws :: [Law ProfileFacts]
 proofLaws =
   concat
     [ ofMasks Prove proves ", and a mask without a window on the sheet is refused: off-sheet",
@@ -44,7 +44,7 @@ proofLaws =
 
 -- | The laws that hold for both operations on masks, given the operation's sentence, and what it
 -- refuses of special masks.
-ofMasks :: Op MaskRows o -> String -> String -> [Law Known]
+ofMasks :: Op MaskRows o -> String -> String -> [Law ProfileFacts]
 ofMasks operation sentence refused =
   [ defined OnProof (name ++ "-small-masks") operation sentence source $ \known ->
       let p = knownProfile known
@@ -106,7 +106,7 @@ farMask n1 n2 = do
   cells <- listOf1 ((,) <$> upTo h <*> upTo w)
   pure [[if (r, c) `elem` take 8 cells then '#' else '.' | c <- [0 .. w]] | r <- [0 .. h]]
 
-relationLaws :: [Law Known]
+relationLaws :: [Law ProfileFacts]
 relationLaws =
   [ law
       OnProof
@@ -143,7 +143,7 @@ reProve question = case question of
   SomeQuestion (Prove :? mask) -> Just mask
   _ -> Nothing
 
-counted :: Known -> MaskRows -> Trial ()
+counted :: ProfileFacts -> MaskRows -> Trial ()
 counted known mask
   | profileSurface p /= naturalSurface (profileFolding p) = inapplicable
   | otherwise = do
@@ -166,7 +166,7 @@ counted known mask
     n = degreeOf p
     windows r = if r == n then profileOrder p ^ n - 1 else profileOrder p ^ r
 
-apart :: Known -> MaskRows -> Trial ()
+apart :: ProfileFacts -> MaskRows -> Trial ()
 apart known mask = do
   proof <- answer known (Prove :? mask)
   d <- answer known (Distance :? mask)
@@ -179,7 +179,7 @@ apart known mask = do
         ((d == 0) == (r < degreeOf (knownProfile known)))
     Nothing -> inapplicable
 
-invalidLaws :: [Law Known]
+invalidLaws :: [Law ProfileFacts]
 invalidLaws =
   [ invalid OnProof "prove-refuses-what-is-invalid" Prove (const (illFormed (Prove :? ["#"]))),
     invalid

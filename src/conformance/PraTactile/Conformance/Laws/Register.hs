@@ -26,7 +26,7 @@ registerLaws = placeLaws ++ [latticeLaw] ++ refusalLaws ++ [invalidLaw]
 -- | Two frames of a relief. The fields are the relief's seed, the frames' width and height, the
 -- robot's nominal step, its error, a number that selects a change, and the number of classes whose
 -- shapes are given.
-data Press = Press
+data FramePair = FramePair
   { pressSeed :: Int,
     pressSize :: WholeTaxels,
     pressStep :: WholeTaxels,
@@ -35,10 +35,10 @@ data Press = Press
     pressShapes :: Maybe Int
   }
 
-pressForm :: Codec Press
+pressForm :: Codec FramePair
 pressForm =
   object $
-    Press
+    FramePair
       <$> key "relief" int pressSeed
       <*> key "size" (pairOf integer) pressSize
       <*> key "step" (pairOf integer) pressStep
@@ -46,9 +46,9 @@ pressForm =
       <*> key "change" int pressChange
       <*> key "shapes" (nullable int) pressShapes
 
-genPress :: Gen Press
+genPress :: Gen FramePair
 genPress =
-  Press <$> genSeed
+  FramePair <$> genSeed
     <*> elements [(16, 16), (20, 16), (16, 20)]
     <*> elements [(8, 0), (0, 8), (8, 2), (3, 8)]
     <*> genError 2
@@ -56,7 +56,7 @@ genPress =
     <*> genShapes
 
 -- | A press with a smaller error, frames of 16 x 16, a step to the right, or less of a change.
-smallerPress :: Press -> [Press]
+smallerPress :: FramePair -> [FramePair]
 smallerPress press =
   [press {pressError = e} | e <- smallerWhole (pressError press)]
     ++ [press {pressSize = (16, 16)} | pressSize press /= (16, 16)]
@@ -65,8 +65,8 @@ smallerPress press =
     ++ [press {pressShapes = Nothing} | Just _ <- [pressShapes press]]
 
 -- | The displacement, and the pair of frames with a search of 3 taxels.
-pressed :: Press -> (WholeTaxels, Pair)
-pressed (Press seed size step by _ _) =
+pressed :: FramePair -> (WholeTaxels, Pair)
+pressed (FramePair seed size step by _ _) =
   (shift, Pair (cut (0, 0)) (cut shift) step 3)
   where
     shift = moved step by
@@ -178,7 +178,11 @@ near most (x, y) (x', y') = max (abs (fromInteger x - x')) (abs (fromInteger y -
 -- | A law that pairs made from a press are refused with a reason. The function gives the pair, the
 -- expected answer, and what else must fit; 'Nothing' if the law does not apply.
 refusal ::
-  String -> String -> String -> (Press -> Maybe (Pair, Registered, Registered -> Bool)) -> Law ()
+  String ->
+  String ->
+  String ->
+  (FramePair -> Maybe (Pair, Registered, Registered -> Bool)) ->
+  Law ()
 refusal what sentence reason scene =
   law OnRegister what [SomeOp Register] sentence theCut $ \() ->
     Cases pressForm (Some genPress smallerPress) $ \press ->
@@ -242,7 +246,7 @@ refusalLaws =
     unknown reason (x, y) = Registered (Just reason) (fromInteger x, fromInteger y)
 
 -- | A pair with up to three edges that both frames show at every displacement within the search.
-oneAxis :: Press -> Maybe (Pair, Registered, Registered -> Bool)
+oneAxis :: FramePair -> Maybe (Pair, Registered, Registered -> Bool)
 oneAxis press
   -- Edges that cancel each other show nothing.
   | maximum profile < minimum profile + 4000 = Nothing

@@ -15,7 +15,7 @@ import qualified Data.Map.Strict as Map
 import qualified Data.Set as Set
 import Numeric.Natural (Natural)
 import PraTactile.Array (Shape (..), naturalsBelow)
-import PraTactile.Conformance.Definition (Known, expected, knownProfile)
+import PraTactile.Conformance.Definition (ProfileFacts, expected, knownProfile)
 import PraTactile.Conformance.Law
 import PraTactile.Conformance.Laws.Draw
 import PraTactile.Conformance.Laws.Forms
@@ -29,14 +29,14 @@ import PraTactile.Profile (Profile (..), Reading (..), canonicalProfile)
 import Test.QuickCheck hiding (listOf)
 
 -- | The laws of the sequence.
-sequenceLaws :: [Law Known]
+sequenceLaws :: [Law ProfileFacts]
 sequenceLaws =
   definitionLaws ++ recurrenceLaws ++ countingLaws ++ shiftLaws
     ++ [orderLaw OnSequence (operationsIn OnSequence)]
     ++ formLaws OnSequence (operationsIn OnSequence)
     ++ invalidLaws
 
-definitionLaws :: [Law Known]
+definitionLaws :: [Law ProfileFacts]
 definitionLaws =
   [ defined OnSequence "term-as-defined" Term "s(i) for all i of a period" recurrence $ \known ->
       let p = knownProfile known
@@ -96,7 +96,7 @@ anyIndex p =
       anyNatural
     ]
 
-recurrenceLaws :: [Law Known]
+recurrenceLaws :: [Law ProfileFacts]
 recurrenceLaws =
   [ ofIndex "begins-with-the-state" "s(0), ..., s(n-1) are the profile's state" [0] $ \known i -> do
       let p = knownProfile known
@@ -136,7 +136,12 @@ recurrenceLaws =
         >>= foldM (\a b -> expected known (Add :? (a, b))) 0
 
 -- | A law about the terms from each of these indices on, within a period.
-ofIndex :: String -> String -> [Natural] -> (Known -> Natural -> Trial ()) -> Law Known
+ofIndex ::
+  String ->
+  String ->
+  [Natural] ->
+  (ProfileFacts -> Natural -> Trial ()) ->
+  Law ProfileFacts
 ofIndex what sentence indices held =
   law OnSequence what [SomeOp Terms] sentence recurrence $ \known ->
     Cases
@@ -149,8 +154,8 @@ ofPeriod ::
   String ->
   String ->
   (Profile -> [Natural]) ->
-  (Known -> Natural -> [Code] -> Bool) ->
-  Law Known
+  (ProfileFacts -> Natural -> [Code] -> Bool) ->
+  Law ProfileFacts
 ofPeriod what sentence distances held =
   law OnSequence what [SomeOp Terms] sentence "MacWilliams and Sloane (1976), section II" $
     \known -> Cases index (Every (distances (knownProfile known))) $ \d -> trial $ do
@@ -169,7 +174,7 @@ ofPeriod what sentence distances held =
 index :: Codec Natural
 index = natural
 
-countingLaws :: [Law Known]
+countingLaws :: [Law ProfileFacts]
 countingLaws =
   [ ofPeriod
       "counts-every-symbol"
@@ -210,7 +215,7 @@ countingLaws =
     allButOne n often =
       Map.filter (> 0) (Map.fromList ((0, often - 1) : [(a, often) | a <- [1 .. n - 1]]))
 
-shiftLaws :: [Law Known]
+shiftLaws :: [Law ProfileFacts]
 shiftLaws =
   [ ofPeriod
       "shifts-and-adds"
@@ -271,7 +276,7 @@ hasSpan n terms = Set.size tuples == length terms && all (any (/= 0)) tuples
 isShort :: Profile -> Bool
 isShort p = periodOf p <= 4096
 
-invalidLaws :: [Law Known]
+invalidLaws :: [Law ProfileFacts]
 invalidLaws =
   [ invalid OnSequence "term-refuses-what-is-invalid" Term $ \_ ->
       rawWith (Term :? 0) "index" (Number (-1)) : malformed (Term :? 1),

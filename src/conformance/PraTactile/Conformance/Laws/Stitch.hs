@@ -68,7 +68,7 @@ smallerSurvey survey =
     errors = surveyErrors survey
 
 -- | The frames with their nominal places, each with its true displacement.
-type Truth = [(Placed, WholeTaxels)]
+type Truth = [(NominalFrame, WholeTaxels)]
 
 surveyed :: Survey -> Truth
 surveyed survey = cutFrom (bumpy (surveySeed survey)) 8 survey
@@ -76,7 +76,7 @@ surveyed survey = cutFrom (bumpy (surveySeed survey)) 8 survey
 -- | The frames of a survey, cut from a relief at the given spacing in taxels.
 cutFrom :: Relief -> Integer -> Survey -> Truth
 cutFrom relief apart (Survey _ (columns, rows) errors _ _) =
-  [ (Placed (frameOf (16, 16) relief (x + i, y + j)) (x, y), (i, j))
+  [ (NominalFrame (frameOf (16, 16) relief (x + i, y + j)) (x, y), (i, j))
     | ((x, y), (i, j)) <- zip places errors
   ]
   where
@@ -115,7 +115,7 @@ stitchLaws =
       id
       ( \n truth ->
           let (i, j) = (toInteger (n `mod` 31) * 7 - 100, toInteger (n `div` 31) * 9 - 140)
-           in [(Placed rows (x + i, y + j), e) | (Placed rows (x, y), e) <- truth]
+           in [(NominalFrame rows (x + i, y + j), e) | (NominalFrame rows (x, y), e) <- truth]
       ),
     found
       "gain-and-offset"
@@ -125,7 +125,7 @@ stitchLaws =
       id
       ( \n truth ->
           let change = affinely (Affine (fromIntegral (1 + n `mod` 3)) (fromIntegral (n * 5)))
-           in [(Placed (change rows) place, e) | (Placed rows place, e) <- truth]
+           in [(NominalFrame (change rows) place, e) | (NominalFrame rows place, e) <- truth]
       ),
     found
       "turned-and-mirrored"
@@ -135,8 +135,8 @@ stitchLaws =
       id
       ( \n truth ->
           let (symmetry, onRows') = seen n
-           in [ (Placed (onRows' rows) (onOffset symmetry place), onOffset symmetry e)
-                | (Placed rows place, e) <- truth
+           in [ (NominalFrame (onRows' rows) (onOffset symmetry place), onOffset symmetry e)
+                | (NominalFrame rows place, e) <- truth
               ]
       ),
     latticeLaw,
@@ -198,8 +198,8 @@ allTelling :: Truth -> Bool
 allTelling truth =
   and
     [ telling (Pair a b step 2) (fst step + i' - i, snd step + j' - j)
-      | (Placed a (x, y), (i, j)) <- truth,
-        (Placed b (x', y'), (i', j')) <- truth,
+      | (NominalFrame a (x, y), (i, j)) <- truth,
+        (NominalFrame b (x', y'), (i', j')) <- truth,
         let step = (x' - x, y' - y),
         abs (fst step) + abs (snd step) == 8
     ]
@@ -210,11 +210,11 @@ invalidLaw =
     [ SomeQuestion (Stitch :? (Nothing, 2, frames))
       | frames <-
           [ [],
-            [a, Placed (frameOf (16, 15) relief (8, 0)) (8, 0)],
-            [Placed (frameOf (3, 3) relief (0, 0)) (0, 0)],
-            [a, Placed [] (8, 0)],
-            [a, Placed ([1, 2] : frameOf (16, 15) relief (8, 0)) (8, 0)],
-            [a, Placed (replicate 16 (replicate 16 (fullScale + 1))) (8, 0)]
+            [a, NominalFrame (frameOf (16, 15) relief (8, 0)) (8, 0)],
+            [NominalFrame (frameOf (3, 3) relief (0, 0)) (0, 0)],
+            [a, NominalFrame [] (8, 0)],
+            [a, NominalFrame ([1, 2] : frameOf (16, 15) relief (8, 0)) (8, 0)],
+            [a, NominalFrame (replicate 16 (replicate 16 (fullScale + 1))) (8, 0)]
           ]
     ]
       ++ [SomeQuestion (Stitch :? (Just shapes, 2, [a, b])) | shapes <- noShapes]
@@ -223,5 +223,5 @@ invalidLaw =
   where
     plain = Stitch :? (Nothing, 2, [a, b])
     relief = bumpy 1
-    a = Placed (frameOf (16, 16) relief (0, 0)) (0, 0)
-    b = Placed (frameOf (16, 16) relief (8, 0)) (8, 0)
+    a = NominalFrame (frameOf (16, 16) relief (0, 0)) (0, 0)
+    b = NominalFrame (frameOf (16, 16) relief (8, 0)) (8, 0)

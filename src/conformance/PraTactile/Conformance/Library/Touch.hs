@@ -28,7 +28,7 @@ libraryRegister :: Maybe Drawings -> Pair -> Wire Registered
 libraryRegister shapes pair = tablesOf shapes >>= (`registered` pair)
 
 -- | Stitching with the settings for an exact sensor.
-libraryStitch :: Maybe Drawings -> Natural -> [Placed] -> Wire [Taxels]
+libraryStitch :: Maybe Drawings -> Natural -> [NominalFrame] -> Wire [Taxels]
 libraryStitch shapes search frames = tablesOf shapes >>= \made -> stitched made search frames
 
 -- | Grey values as shares of full scale. Refuses values above full scale, and an empty image.
@@ -108,7 +108,7 @@ readDrawings drawings = traverse one (zip [1 :: Int ..] drawings) >>= alphabet
       _ -> Left (UnreadableLine 1 (Text.singleton c))
 
 -- | The search distance is taken as two standard deviations of the robot's error.
-stitched :: AlphabetTables -> Natural -> [Placed] -> Wire [Taxels]
+stitched :: AlphabetTables -> Natural -> [NominalFrame] -> Wire [Taxels]
 stitched known search frames = do
   placed <- traverse frame frames
   made <-
@@ -121,7 +121,7 @@ stitched known search frames = do
         { Stitch.registrationSigma = Just (max 0.5 (fromIntegral search / 2)),
           Stitch.registrationNoise = 0.0005
         }
-    frame (Placed rows (x, y)) = do
+    frame (NominalFrame rows (x, y)) = do
       made <- image rows
       let centre side whole = taxelPitch * (fromInteger whole + fromIntegral (side - 1) / 2)
           pose = SensorPose (centre (rasterWidth made) x) (centre (rasterHeight made) y) 0

@@ -31,7 +31,7 @@ import PraTactile.Array
     naturalsBelow,
   )
 import PraTactile.Conformance.Answer
-import PraTactile.Conformance.Definition.Array (Known (..), cellOf, termOf)
+import PraTactile.Conformance.Definition.Array (ProfileFacts (..), cellOf, termOf)
 import qualified PraTactile.Conformance.Definition.Windows as Windows
 import PraTactile.Conformance.Forms
 import PraTactile.Conformance.Laws.Draw (isVast)
@@ -92,11 +92,11 @@ byJumps :: (String, String)
 byJumps = ("jump by powers of x", "the recurrence")
 
 -- | q^n - 1.
-period :: Known -> Natural
+period :: ProfileFacts -> Natural
 period = area . profileShape . knownProfile
 
 -- | Indices about the end of the period, and large ones.
-indexEdges :: Known -> [Natural]
+indexEdges :: ProfileFacts -> [Natural]
 indexEdges k =
   [period k - 1, period k, period k + 1, 2 ^ (53 :: Int) - 1, 2 ^ (53 :: Int), 10 ^ (40 :: Int)]
 
@@ -217,7 +217,7 @@ pack =
       concatMap (concatMap (foldMap pure)) (patchAt k 1 1 (profileWindow (knownProfile k)))
 
 -- | The contents that a window may have, where they are few.
-everyContent :: Known -> Maybe [[Code]]
+everyContent :: ProfileFacts -> Maybe [[Code]]
 everyContent k
   | fewCases (orderIn k ^ size) = Just (traverse (const (naturalsBelow (orderIn k))) [1 .. size])
   | otherwise = Nothing
@@ -351,10 +351,10 @@ maskInput =
 
 -- | The meaning of an operation on masks.
 ofMasks ::
-  (Known -> [Windows.Offset] -> Either Refusal o) ->
-  (Known -> String) ->
+  (ProfileFacts -> [Windows.Offset] -> Either Refusal o) ->
+  (ProfileFacts -> String) ->
   (String, String) ->
-  Meaning Known MaskRows o
+  Meaning ProfileFacts MaskRows o
 ofMasks defined why ways =
   (meaning byDefinition why ways (const ["#"]))
     { typical = const [["#"], ["##"], ["#", "#"], ["#.#", "..#"]],
@@ -377,7 +377,7 @@ ofMasks defined why ways =
       pure (case drawing of (_ : line) : others -> ('#' : line) : others; _ -> drawing)
 
 -- | No inputs where an array has so many positions that comparing or listing all takes long.
-notOfVast :: Known -> [Group i] -> [Group i]
+notOfVast :: ProfileFacts -> [Group i] -> [Group i]
 notOfVast k groups = if isVast (knownProfile k) then [] else groups
 
 -- | The window, single cells, a mask of rank 3 of which all windows on the paper's sheet differ,

@@ -36,14 +36,14 @@ where
 import Data.List (intercalate, transpose)
 import Numeric.Natural (Natural)
 import PraTactile.Array (Folding (..), Shape (Shape), Surface (..))
-import PraTactile.Conformance.Definition.Array (Known, knownProfile)
+import PraTactile.Conformance.Definition.Array (ProfileFacts, knownProfile)
 import PraTactile.Conformance.Question
 import PraTactile.Profile (Profile (..), Reading (..))
 import PraTactile.Window (Packing (..))
 import Test.QuickCheck (shrinkIntegral)
 
 -- | A sentence on the profile.
-of' :: (Profile -> String) -> Known -> String
+of' :: (Profile -> String) -> ProfileFacts -> String
 of' sentence = sentence . knownProfile
 
 -- | The digits of a code.
@@ -99,7 +99,7 @@ listed = intercalate "," . map show
 -- Definitions.
 
 -- | The element of a code, or a refusal.
-codeIn :: Known -> Code -> Either Refusal Int
+codeIn :: ProfileFacts -> Code -> Either Refusal Int
 codeIn k a
   | a < orderIn k = Right (fromIntegral a)
   | otherwise = refuseFor "invalid"
@@ -125,7 +125,7 @@ toTenPlaces x = fromInteger (round (x * 1e10)) / 1e10
 -- Inputs.
 
 -- | q.
-orderIn :: Known -> Natural
+orderIn :: ProfileFacts -> Natural
 orderIn = profileOrder . knownProfile
 
 -- | Numbers of 1 to 41 digits.

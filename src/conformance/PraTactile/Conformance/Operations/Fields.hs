@@ -21,7 +21,7 @@ import Data.Either (isRight)
 import Numeric.Natural (Natural)
 import PraTactile.Array (naturalsBelow)
 import PraTactile.Conformance.Answer
-import PraTactile.Conformance.Definition.Array (Known (..))
+import PraTactile.Conformance.Definition.Array (ProfileFacts (..))
 import PraTactile.Conformance.Definition.Field (Field)
 import qualified PraTactile.Conformance.Definition.Field as Definition
 import qualified PraTactile.Conformance.Definition.Polynomial as Definition

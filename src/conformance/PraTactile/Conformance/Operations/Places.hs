@@ -18,7 +18,7 @@ import qualified Data.Map.Strict as Map
 import Numeric.Natural (Natural)
 import PraTactile.Array (Position (..), Shape (Shape), area)
 import PraTactile.Conformance.Answer
-import PraTactile.Conformance.Definition.Array (Known (..))
+import PraTactile.Conformance.Definition.Array (ProfileFacts (..))
 import qualified PraTactile.Conformance.Definition.Locate as Definition
 import qualified PraTactile.Conformance.Definition.Windows as Windows
 import PraTactile.Conformance.Forms
@@ -39,7 +39,7 @@ import PraTactile.Format.Json.Codec hiding (integer, natural, refuse, shape)
 import qualified PraTactile.Format.Json.Codec as Codec
 import PraTactile.Format.Json.Schema (Schema)
 import qualified PraTactile.Format.Json.Schema as Schema
-import PraTactile.Locate hiding (Chance, Known, Patch, Posterior, locate, probabilities)
+import PraTactile.Locate hiding (Chance, Patch, Posterior, locate, probabilities)
 import qualified PraTactile.Locate as Locate
 import PraTactile.Locate.Patch (completeWindows)
 import PraTactile.Profile (Profile (..))
@@ -54,7 +54,7 @@ patchForm :: Codec Patch
 patchForm = rowsOf (nullable natural)
 
 -- | Which patches laws and vectors ask about: the window and a cell, as they are somewhere.
-typicalPatches :: Known -> [Patch]
+typicalPatches :: ProfileFacts -> [Patch]
 typicalPatches k =
   [ map (map Just) (seenAt k shape place)
     | shape <- [profileWindow p, Shape 1 1],
@@ -64,7 +64,7 @@ typicalPatches k =
     p = knownProfile k
 
 -- | Patches that are refused: of nothing, of zeros, and a window with every cell another one.
-refusedPatches :: Known -> [Patch]
+refusedPatches :: ProfileFacts -> [Patch]
 refusedPatches k =
   [[Nothing]] :
     [ map (map change) rows
@@ -76,12 +76,12 @@ refusedPatches k =
     p = knownProfile k
 
 -- | The window where patches of vectors begin.
-windowPatch :: Known -> Patch
+windowPatch :: ProfileFacts -> Patch
 windowPatch k = patchAt k 1 1 (profileWindow (knownProfile k))
 
 -- | The window at corners of the array, larger patches across the edges, patches of zeros, nothing
 -- observed, cells that contradict each other, and what is no patch.
-patchEdges :: Known -> [Patch]
+patchEdges :: ProfileFacts -> [Patch]
 patchEdges k =
   [patchAt k r c shape | r <- [0, n1 - 1], c <- [0, n2 - 1], shape <- [window, larger]]
     ++ [ map (map (const (Just 0))) (patchAt k 0 0 window),
@@ -144,7 +144,7 @@ locationForm = Codec schema written $ \value -> case value of
 
 -- | In place of a list of positions their number may stand, with the dimension of the coset that
 -- they are: the degree less the rank of the observed cells, if that is known.
-counted :: Known -> Patch -> Location -> Location -> Location
+counted :: ProfileFacts -> Patch -> Location -> Location -> Location
 counted k cells got wanted = case (wanted, got) of
   (OneOf several, Coset _ _) ->
     maybe wanted (Coset (fromIntegral (length several)) . less) rank
@@ -374,7 +374,7 @@ lessChance known' = case known' of
     Unfelt : [Certainly (fromIntegral i) | (i, x) <- zip [0 :: Int ..] chances, x > 0]
 
 -- | Certainty, no knowledge, a contradiction, sums at some distance from 1, and what is no patch.
-chanceEdges :: Known -> [Chances]
+chanceEdges :: ProfileFacts -> [Chances]
 chanceEdges k =
   [ certain (patchAt k 1 1 (profileWindow profile)),
     certain (patchAt k (n1 - 1) (n2 - 1) (profileWindow profile)),
@@ -397,7 +397,7 @@ chanceEdges k =
     rest = replicate (fromIntegral q - 2) 0
 
 -- | Whether two lists say the same to 10^-9: each position once, and each one of the array.
-sameChances :: Known -> [(Position, Double)] -> [(Position, Double)] -> Bool
+sameChances :: ProfileFacts -> [(Position, Double)] -> [(Position, Double)] -> Bool
 sameChances k wanted got =
   Map.size given == length got
     && all inside (Map.keys given)

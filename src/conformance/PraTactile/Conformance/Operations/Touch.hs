@@ -93,7 +93,7 @@ registeredForm =
         (\along -> Right ("x" `elem` along, "y" `elem` along))
         (listOf (among id ["x", "y"]))
 
-stitch :: Operation (Maybe Drawings, Natural, [Placed]) [Taxels]
+stitch :: Operation (Maybe Drawings, Natural, [NominalFrame]) [Taxels]
 stitch =
   Operation
     { operationName = "stitch",
@@ -111,15 +111,15 @@ stitch =
       operationLeast = const 1,
       operationWays =
         ByScene
-          (Nothing, 1, [Placed blank (0, 0)])
+          (Nothing, 1, [NominalFrame blank (0, 0)])
           (\(shapes, search, frames) -> libraryStitch shapes search frames)
     }
   where
     placed =
       object
-        ( Placed
-            <$> key "rows" rowsForm (\(Placed rows _) -> rows)
-            <*> key "place" (pairOf integer) (\(Placed _ place) -> place)
+        ( NominalFrame
+            <$> key "rows" rowsForm (\(NominalFrame rows _) -> rows)
+            <*> key "place" (pairOf integer) (\(NominalFrame _ place) -> place)
         )
 
 segment :: Operation Rows [Symbol]

@@ -8,7 +8,7 @@ module PraTactile.Conformance.Question.Touch
     Drawings,
     Pair (..),
     Registered (..),
-    Placed (..),
+    NominalFrame (..),
     Symbol (..),
     fullScale,
   )
@@ -52,7 +52,7 @@ data Registered = Registered
   deriving stock (Eq, Show)
 
 -- | A frame with the nominal place of its upper left taxel.
-data Placed = Placed Rows WholeTaxels
+data NominalFrame = NominalFrame Rows WholeTaxels
   deriving stock (Eq, Show)
 
 -- | A symbol in a composite.

@@ -85,7 +85,7 @@ stageLine report stage =
       0 -> []
       n -> [show n ++ " " ++ outcomeText outcome]
 
-outcomeText :: Outcome -> String
+outcomeText :: LawOutcome -> String
 outcomeText outcome = if outcome == KnownFailure then "known to fail" else outcomeName outcome
 
 -- | The failed and erred laws, each with its profiles, in the order of trying. Reports of one law

@@ -163,7 +163,7 @@ reportOf work depends tried = case triedFailure tried of
         }
 
 -- | The outcome: the law failed, or something else went wrong.
-outcomeOf :: Trouble -> Outcome
+outcomeOf :: Trouble -> LawOutcome
 outcomeOf trouble = case trouble of
   Wrong _ -> Failed
   Broke _ _ (Right (ResponseSkipped _)) -> Failed

@@ -18,14 +18,14 @@ import PraTactile.Conformance.Vectors.Draw
 import PraTactile.Profile (Profile (..))
 
 -- | The array's cells in a rectangle at a position, on the folding's own surface.
-patchAt :: Known -> Natural -> Natural -> Shape -> Patch
+patchAt :: ProfileFacts -> Natural -> Natural -> Shape -> Patch
 patchAt k r c (Shape high wide) =
   [ [Just (fromIntegral (cellOf k (r + i) (c + j))) | j <- naturalsBelow wide]
     | i <- naturalsBelow high
   ]
 
 -- | A patch about as large as the window, with none or some cells missing, and none or some wrong.
-somePatch :: Known -> Draw Patch
+somePatch :: ProfileFacts -> Draw Patch
 somePatch k = do
   r <- below n1
   c <- below n2
@@ -43,7 +43,7 @@ somePatch k = do
 
 -- | Knowledge of the cells of a patch: a certain symbol, or the probabilities of all or of two
 -- symbols in 64ths.
-someChances :: Known -> Patch -> Draw Chances
+someChances :: ProfileFacts -> Patch -> Draw Chances
 someChances k = traverse (traverse chance)
   where
     q = profileOrder (knownProfile k)

@@ -3,7 +3,7 @@
 -- | The contents of a census row, and contradictions between its columns. A row that is true by the
 -- definitions of "PraTactile.Census" and "PraTactile.Window.Proof" has no contradiction.
 module PraTactile.Format.Census.Contradiction
-  ( Subject (..),
+  ( RowSubject (..),
     Findings (..),
     contradiction,
   )
@@ -17,7 +17,7 @@ import PraTactile.Factorisation (checkPower)
 import PraTactile.Field.Named (conwayModulus)
 
 -- | The subject of a row: the array and the window.
-data Subject = Subject
+data RowSubject = RowSubject
   { -- | q
     subjectOrder :: Natural,
     -- | the polynomial that defines GF(q), by its coefficients, the constant term first
@@ -56,7 +56,7 @@ data Findings = Findings
 -- 'Nothing' if all conditions hold. Arguments: the number of the row's entry, from 0; the number of
 -- entries; the subject; the findings. A census asks for windows on the natural surface, where the
 -- rank always decides.
-contradiction :: Natural -> Natural -> Subject -> Findings -> Maybe [ByteString]
+contradiction :: Natural -> Natural -> RowSubject -> Findings -> Maybe [ByteString]
 contradiction entry entries subject found =
   listToMaybe [names | (False, names) <- rules]
   where
@@ -64,7 +64,7 @@ contradiction entry entries subject found =
       (entry < entries, ["entry", "entries"]) : subjectRules subject ++ findingRules subject found
 
 -- | The conditions on a subject's field, polynomial, array and window, each with its columns.
-subjectRules :: Subject -> [(Bool, [ByteString])]
+subjectRules :: RowSubject -> [(Bool, [ByteString])]
 subjectRules subject =
   [ (fieldExists, ["q", "modulus"]),
     (n >= 1 && all (< q) h && take 1 (reverse h) == [1] && take 1 h /= [0], ["q", "polynomial"]),
@@ -73,7 +73,7 @@ subjectRules subject =
     (1 <= cells && cells <= 4096 && window `fitsIn` shape, ["shape", "window"])
   ]
   where
-    Subject q modulus h _ shape window = subject
+    RowSubject q modulus h _ shape window = subject
     n = subjectDegree subject
     coprimeSides = gcd (rows shape) (columns shape) == 1
     cells = area window
@@ -84,11 +84,11 @@ subjectRules subject =
       Left _ -> False
 
 -- | The degree of the polynomial.
-subjectDegree :: Subject -> Natural
+subjectDegree :: RowSubject -> Natural
 subjectDegree subject = fromIntegral (max 1 (length (subjectPolynomial subject)) - 1)
 
 -- | The conditions on the findings, each with its columns.
-findingRules :: Subject -> Findings -> [(Bool, [ByteString])]
+findingRules :: RowSubject -> Findings -> [(Bool, [ByteString])]
 findingRules subject found =
   [ (foundWindows found == area (subjectShape subject), ["shape", "windows"]),
     (foundNeeded found == n, ["polynomial", "needed"]),

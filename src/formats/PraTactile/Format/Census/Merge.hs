@@ -64,7 +64,7 @@ mergeShards shards = case [(shardFile shard, row) | shard <- shards, row <- shar
 -- standard windows of this field and degree. For a census with chosen windows the name is not
 -- enough.
 standardPlace ::
-  ByteString -> Natural -> Subject -> Maybe (Natural -> Maybe (Folding, Shape, Shape))
+  ByteString -> Natural -> RowSubject -> Maybe (Natural -> Maybe (Folding, Shape, Shape))
 standardPlace name entries subject = do
   scope <-
     find

@@ -29,7 +29,7 @@ import PraTactile.Format.Digest
 import PraTactile.Format.Error
 import PraTactile.Format.Name
 import PraTactile.Window.Distance
-import PraTactile.Window.Proof (ProofError, Verdict (..))
+import PraTactile.Window.Proof (ProofError, WindowVerdict (..))
 
 -- | The header line, without its line end.
 headerLine :: ByteString
@@ -114,7 +114,7 @@ data Row = Row
   { rowCensus :: ByteString,
     rowEntry :: Natural,
     rowEntries :: Natural,
-    rowSubject :: Subject,
+    rowSubject :: RowSubject,
     rowFindings :: Findings,
     -- | without the check
     rowText :: ByteString
@@ -148,7 +148,7 @@ rowOf fields body =
     <*> pure body
   where
     subject =
-      Subject
+      RowSubject
         <$> field "q" natural
         <*> field "modulus" naturals
         <*> field "polynomial" naturals

@@ -1,9 +1,9 @@
 {-# LANGUAGE OverloadedStrings #-}
 {-# OPTIONS_HADDOCK hide #-}
 
--- | The Object File Format of Geomview, as text. After the word @OFF@, on its line or the next,
--- come the numbers of vertices, faces and edges. Then there is one line per vertex and one line per
--- face, which begins with the number of its vertices.
+-- | The Object File Format of Geomview, as text, in millimetres. After the word @OFF@, on its line
+-- or the next, come the numbers of vertices, faces and edges. Then there is one line per vertex and
+-- one line per face: the number of its vertices and their indices, from 0.
 module PraTactile.Format.Solid.Off
   ( readOff,
     writeOff,
@@ -25,9 +25,12 @@ import PraTactile.Format.Solid.Text
 import PraTactile.Object.Description (ObjectName)
 import PraTactile.Object.Mesh
 
--- | Reads the polyhedron of an OFF file; the first argument becomes its name. Colours, normals and
--- texture coordinates are ignored. Refuses, with the line, another first word, numbers that are
--- missing or no numbers, and vertices that do not exist.
+-- | Reads the polyhedron of an OFF file; the first argument becomes its name. Equal points become
+-- one vertex. Text after @#@, lines after the last face, colours, normals and texture coordinates
+-- are ignored. Whether the faces form a solid is not checked.
+--
+-- Refuses, with the line, a first word other than @OFF@ and its variants (such as @COFF@), a
+-- missing number, a word that is not a number, and a vertex of a face that does not exist.
 readOff :: ObjectName -> ByteString -> Either SolidFileError Contents
 readOff name bytes = do
   (counts, after) <- header (linesOf bytes)

@@ -159,7 +159,7 @@ seatBy :: Pitch -> Face -> [Point] -> Position -> Anchor -> Shape -> Maybe Seat
 seatBy between face corners at anchor grid =
   (\frame -> seatIn frame between face at anchor grid) <$> frameOfPoints corners
 
-seatIn :: Frame -> Pitch -> Face -> Position -> Anchor -> Shape -> Seat
+seatIn :: FaceFrame -> Pitch -> Face -> Position -> Anchor -> Shape -> Seat
 seatIn frame between face at anchor grid =
   Seat
     { seatFace = face,
@@ -177,7 +177,7 @@ layingOf :: LaidFace -> Laying
 layingOf laid = Laying (laidFace laid) (laidAt laid) (laidAnchor laid) (laidBlock laid)
 
 -- | Lays a face by a request, in its frame. It does not check whether the cells are on the face.
-laidIn :: Frame -> Pitch -> Laying -> LaidFace
+laidIn :: FaceFrame -> Pitch -> Laying -> LaidFace
 laidIn frame between (Laying face at anchor block) =
   LaidFace
     { laidFace = face,
@@ -200,7 +200,7 @@ arrayCells laid = [Position (r + i) (c + j) | Position i j <- blockCells (laidBl
     Position r c = laidAt laid
 
 -- | The cells of a block that do not lie wholly on the face.
-cellsOff :: Frame -> Pitch -> Anchor -> Block -> [Position]
+cellsOff :: FaceFrame -> Pitch -> Anchor -> Block -> [Position]
 cellsOff frame between anchor block
   | allOn frame cell anchor size =
     filter (not . hasCell (wholeBlock shape)) (maybe [] Set.toList (blockListed block))

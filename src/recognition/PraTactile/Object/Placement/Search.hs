@@ -157,7 +157,7 @@ layingsOf seed shape@(Shape high wide) between lying objects wishes
         | otherwise -> firstLaid others
       _ -> layingsFrom pieces
     -- The alternatives with at least this share of the most cells.
-    having :: Rational -> [(Mask, Grid)] -> [(Mask, Grid)]
+    having :: Rational -> [(BlockMask, Grid)] -> [(BlockMask, Grid)]
     having share alternatives =
       [one | one <- alternatives, fromIntegral (count one) >= share * fromIntegral most]
       where

@@ -123,7 +123,11 @@ nearly rungs = case NonEmpty.dropWhile rough rungs of
     tiny = 1 / 10 ^ (14 :: Int)
 
 -- | How two faces meet, given their convex parts and their corners in the first face's plane.
-meetingOf :: Unfolder -> ([Part], V.Vector Corner) -> ([Part], V.Vector Corner) -> Meeting
+meetingOf ::
+  Unfolder ->
+  ([ConvexPart], V.Vector Corner) ->
+  ([ConvexPart], V.Vector Corner) ->
+  Meeting
 meetingOf it (as, a) (bs, b) =
   worstOf [convexMeeting tell (of' a one) (of' b other) | one <- as, other <- bs]
   where

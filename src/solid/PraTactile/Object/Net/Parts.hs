@@ -10,7 +10,7 @@
 -- >   |        | 5   an edge without a tab: that of the other edge 5 is glued under it
 -- >   +--------+
 module PraTactile.Object.Net.Parts
-  ( Part (..),
+  ( NetPart (..),
     Rim (..),
     wholePart,
     partsFor,
@@ -27,7 +27,7 @@ import PraTactile.Object.Net.Layout
 import PraTactile.Object.WingedEdge (EdgeName (..))
 
 -- | Connected faces of a net. Coordinates are millimetres, x to the right and y down.
-data Part = Part
+data NetPart = NetPart
   { partFaces :: [NetFace],
     -- | the edges between two of its faces
     partFolds :: [Fold],
@@ -51,8 +51,8 @@ data Rim = Rim
   deriving stock (Eq, Show)
 
 -- | The net in one piece, with tabs that are at most this high, in millimetres.
-wholePart :: Double -> Net -> Part
-wholePart high net = foldr const (Part [] [] []) (tabbed high net [everyFace])
+wholePart :: Double -> Net -> NetPart
+wholePart high net = foldr const (NetPart [] [] []) (tabbed high net [everyFace])
   where
     everyFace = [0 .. length (netFaces net) - 1]
 
@@ -60,7 +60,7 @@ wholePart high net = foldr const (Part [] [] []) (tabbed high net [everyFace])
 -- connected faces, fits a page with its tabs, and begins at x = 0 and y = 0. Tabs are at most 8 mm
 -- high, or 6 or 4 if some face has no room otherwise. Refuses, by its name, the first face that has
 -- no room even with tabs of 4 mm.
-partsFor :: (Double, Double) -> Net -> Either FaceName [Part]
+partsFor :: (Double, Double) -> Net -> Either FaceName [NetPart]
 partsFor room net = case find (null . tooLarge) tabHeights of
   Just high -> Right (map (upright room high) (tabbed high net (groups (fits high) net)))
   Nothing -> Left (maybe (FaceName []) netFaceName (listToMaybe (tooLarge least)))
@@ -95,7 +95,7 @@ turned angle (x, y)
 
 -- | A part, turned so that it fits a page and moved so that it begins at x = 0 and y = 0.
 -- Arguments: the page's width and height; the greatest height of tabs; the part.
-upright :: (Double, Double) -> Double -> Part -> Part
+upright :: (Double, Double) -> Double -> NetPart -> NetPart
 upright room high part = moved (\p -> let (x, y) = turn p in (x - left, y - top)) part
   where
     turn = turned (fromMaybe 0 (turnFor room high (map netCorners (partFaces part))))
@@ -106,9 +106,9 @@ upright room high part = moved (\p -> let (x, y) = turn p in (x - left, y - top)
     (left, top) = (minimum (map fst points), minimum (map snd points))
 
 -- | A part with all its points mapped.
-moved :: ((Double, Double) -> (Double, Double)) -> Part -> Part
-moved to (Part faces folds rims) =
-  Part
+moved :: ((Double, Double) -> (Double, Double)) -> NetPart -> NetPart
+moved to (NetPart faces folds rims) =
+  NetPart
     [face {netCorners = map to (netCorners face)} | face <- faces]
     [one {foldEnds = both (foldEnds one)} | one <- folds]
     [rim {rimEnds = both (rimEnds rim), rimTab = map to <$> rimTab rim} | rim <- rims]
@@ -164,7 +164,7 @@ groups accepted net = go (IntSet.fromDistinctAscList [0 .. length (netFaces net)
 
 -- | The parts of groups of faces, given by their numbers, with tabs of at most this height. A fold
 -- between two groups is cut.
-tabbed :: Double -> Net -> [[Int]] -> [Part]
+tabbed :: Double -> Net -> [[Int]] -> [NetPart]
 tabbed high net grouped = zipWith part [1 ..] grouped
   where
     faces = zip [0 ..] (netFaces net)
@@ -193,7 +193,7 @@ tabbed high net grouped = zipWith part [1 ..] grouped
           | (number, (_, one, other)) <- cut
         ]
     part k group =
-      Part
+      NetPart
         { partFaces = [face | f <- group, (g, face) <- faces, f == g],
           partFolds = [one | (i, one) <- folds, i == k],
           partRims =

@@ -78,7 +78,7 @@ neighbourly ::
   Number n =>
   (Rational -> Integer -> n) ->
   Mesh ->
-  Surface ->
+  FaceSides ->
   V.Vector Template ->
   (Int, Int) ->
   Similarity n

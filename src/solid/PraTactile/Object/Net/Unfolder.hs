@@ -4,7 +4,7 @@
 -- between neighbouring planes, exactly and as intervals of increasing precision.
 module PraTactile.Object.Net.Unfolder
   ( Unfolder (..),
-    Part,
+    ConvexPart,
     unfolder,
     faceCount,
     gluedTo,
@@ -34,10 +34,10 @@ import PraTactile.Object.WingedEdge (Solid, solidMesh)
 -- | A solid prepared for unfolding.
 data Unfolder = Unfolder
   { unfolderMesh :: Mesh,
-    unfolderSides :: Surface,
+    unfolderSides :: FaceSides,
     unfolderTemplates :: V.Vector Template,
     -- | the convex parts of each face
-    unfolderParts :: V.Vector [Part],
+    unfolderParts :: V.Vector [ConvexPart],
     -- | corners and maps in exact numbers
     unfolderExactly :: Rung (Maybe Radicals),
     -- | corners and maps as intervals with 'rungPlaces'
@@ -93,14 +93,14 @@ faceCount :: Unfolder -> Int
 faceCount = V.length . unfolderTemplates
 
 -- | The other side of the edge to which a side belongs.
-gluedTo :: Surface -> Int -> Int
+gluedTo :: FaceSides -> Int -> Int
 gluedTo sides s = fromMaybe s (mateOf sides s)
 
 -- | A convex part of a face, by the places of its corners on the face's walk.
-type Part = V.Vector Int
+type ConvexPart = V.Vector Int
 
 -- | A face as convex parts, whose corners are all corners of the face.
-convexParts :: Mesh -> Int -> [Part]
+convexParts :: Mesh -> Int -> [ConvexPart]
 convexParts it f
   | and [turn (at i) (at (i + 1)) (at (i + 2)) >= 0 | i <- [0 .. count - 1]] =
     [V.enumFromN 0 count]

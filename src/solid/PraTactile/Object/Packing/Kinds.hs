@@ -70,7 +70,7 @@ fewestCells kinds = minimum . map figureCells . figuresOf kinds
 -- corner. Arguments: the kinds; the alternatives of each piece; the laid pieces, which must be as
 -- many of each kind as there are pieces. Within a kind, the first piece gets the first place, row
 -- by row.
-assigned :: Kinds -> [[Mask]] -> [Lying] -> [(Int, (Int, Int))]
+assigned :: Kinds -> [[BlockMask]] -> [Lying] -> [(Int, (Int, Int))]
 assigned kinds pieces lying = go places (zip (U.toList (kindsOfPieces kinds)) pieces)
   where
     places = Map.map Set.toAscList (Map.fromListWith (<>) [(lyingKind l, one l) | l <- lying])

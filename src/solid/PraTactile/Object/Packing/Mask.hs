@@ -7,7 +7,7 @@
 -- of P - m. A run (i, j, l) is the cells (i, j) .. (i, j + l - 1); runs are sorted row by row, from
 -- left to right.
 module PraTactile.Object.Packing.Mask
-  ( Mask,
+  ( BlockMask,
     maskOf,
     block,
     maskCells,
@@ -24,7 +24,7 @@ import qualified Data.IntSet as IntSet
 import qualified Data.Vector.Unboxed as U
 
 -- | The cells that a face takes of a block; at least one.
-data Mask = Mask
+data BlockMask = BlockMask
   { -- | the upper left corner of the cells' bounding box, within the block
     maskCorner :: !(Int, Int),
     -- | the cells relative to that corner
@@ -50,7 +50,7 @@ data Figure = Figure
 -- Just [(1,1),(1,2),(2,1)]
 -- >>> maskOf (3, 3) [(0, 3)]
 -- Nothing
-maskOf :: (Int, Int) -> [(Int, Int)] -> Maybe Mask
+maskOf :: (Int, Int) -> [(Int, Int)] -> Maybe BlockMask
 maskOf (height, width) cells
   | null cells || any outside cells = Nothing
   | otherwise = Just (masked [(r, s, l) | (r, columns) <- inRows, (s, l) <- runs columns])
@@ -67,18 +67,18 @@ maskOf (height, width) cells
 
 -- | All cells of a block with these numbers of rows and columns. A number below 1 counts as 1,
 -- since a mask has a cell.
-block :: (Int, Int) -> Mask
+block :: (Int, Int) -> BlockMask
 block (height, width) = masked [(r, 0, max 1 width) | r <- [0 .. max 1 height - 1]]
 
 -- | The cells within the block, row by row.
-maskCells :: Mask -> [(Int, Int)]
-maskCells (Mask (top, left) figure) =
+maskCells :: BlockMask -> [(Int, Int)]
+maskCells (BlockMask (top, left) figure) =
   [(top + i, c) | (i, j, l) <- U.toList (figureRuns figure), c <- [left + j .. left + j + l - 1]]
 
 -- | A mask from its runs, row by row; there must be at least one.
-masked :: [(Int, Int, Int)] -> Mask
+masked :: [(Int, Int, Int)] -> BlockMask
 masked runs =
-  Mask
+  BlockMask
     (top, left)
     Figure
       { figureCells = sum [l | (_, _, l) <- runs],

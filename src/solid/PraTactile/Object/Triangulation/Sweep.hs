@@ -35,7 +35,7 @@ import PraTactile.Object.Polygon (V2 (..), turn)
 
 -- | A part of the region that the line crosses. Points are numbered in the order in which they are
 -- met.
-data Part = Part
+data SweepRegion = SweepRegion
   { -- | the lower side, from its start to its end
     lower :: !(Int, Int),
     -- | the upper side, from its start to its end
@@ -63,7 +63,10 @@ swept points loops =
     step (parts, made) p
       | l > p && r > p = case under of
         Just part | below (upper part) -> split part
-        _ -> (Seq.insertAt count (Part (p, first) (p, second) (Seq.singleton p) 0) parts, made)
+        _ ->
+          ( Seq.insertAt count (SweepRegion (p, first) (p, second) (Seq.singleton p) 0) parts,
+            made
+          )
       | l < p && r < p = case under of
         Just part
           | snd (lower part) == p && snd (upper part) == p ->
@@ -117,8 +120,8 @@ swept points loops =
             right = Seq.drop (latest part) (chain part)
             leftKept = fst (fromAbove part {chain = left})
             rightKept = fst (fromBelow part {chain = right})
-            low = Part (lower part) (p, first) (leftKept |> p) (Seq.length leftKept)
-            high = Part (p, second) (upper part) (p <| rightKept) 0
+            low = SweepRegion (lower part) (p, first) (leftKept |> p) (Seq.length leftKept)
+            high = SweepRegion (p, second) (upper part) (p <| rightKept) 0
         merged low high =
           ( Seq.update (count - 2) joined (Seq.deleteAt (count - 1) parts),
             newBelow ++ newAbove ++ made
@@ -127,4 +130,8 @@ swept points loops =
             (leftKept, newBelow) = fromAbove low
             (rightKept, newAbove) = fromBelow high
             joined =
-              Part (lower low) (upper high) ((leftKept |> p) <> rightKept) (Seq.length leftKept)
+              SweepRegion
+                (lower low)
+                (upper high)
+                ((leftKept |> p) <> rightKept)
+                (Seq.length leftKept)

@@ -20,7 +20,7 @@ import PraTactile.Object.Subject
 import PraTactile.Object.Surface
 import PraTactile.Object.Vector
 
-withoutTwo, disagreements, pinchedVertices, verticesOnEdges :: Subject -> [Defect]
+withoutTwo, disagreements, pinchedVertices, verticesOnEdges :: SidedMesh -> [Defect]
 withoutTwo subject =
   [ Defect
       EdgeWithoutTwoFaces
@@ -96,5 +96,5 @@ verticesOnEdges subject =
     tree = boxes (V.map (box . place) (V.convert used))
 
 -- | The ends of a side, the one with the smaller index first.
-endsOf :: Subject -> Int -> [Int]
+endsOf :: SidedMesh -> Int -> [Int]
 endsOf subject s = sort [sideStart (sides subject) s, sideEnd (sides subject) s]

@@ -24,7 +24,7 @@ import PraTactile.Object.Subject
 import PraTactile.Object.Vector
 
 -- | Defects of single faces, each with the face's index.
-noAreas, notPlanar :: Subject -> [(Int, Defect)]
+noAreas, notPlanar :: SidedMesh -> [(Int, Defect)]
 noAreas subject =
   [ (f, Defect NoArea [faceAt (whole subject) f] [] Nothing)
     | f <- facesWhere (not . U.null) subject,
@@ -47,7 +47,7 @@ notPlanar subject =
        in squareRoot
             (over * over % (k * k * dot n n * meshDenominator (whole subject) ^ (2 :: Int)))
 
-crossingSelf :: Subject -> [Int] -> [(Int, Defect)]
+crossingSelf :: SidedMesh -> [Int] -> [(Int, Defect)]
 crossingSelf subject flatFaces =
   [ (f, Defect FaceCrossesItself [faceAt it f] (map (vertexAt it . (walk U.!)) ends) Nothing)
     | f <- flatFaces,
@@ -62,7 +62,7 @@ crossingSelf subject flatFaces =
 
 -- | The intersections of faces that do not cross themselves, and whether the search stopped early.
 -- The first number limits the intersections that are found, the second the pairs that are compared.
-intersections :: Int -> Int -> Subject -> [Int] -> ([Defect], Bool)
+intersections :: Int -> Int -> SidedMesh -> [Int] -> ([Defect], Bool)
 intersections mostFound mostCompared subject good = look mostFound mostCompared near
   where
     near =
@@ -88,7 +88,7 @@ intersections mostFound mostCompared subject good = look mostFound mostCompared 
     plates = V.map (plateOf subject) faces
     measure square = squareRoot (square / fromInteger (meshDenominator it) ^ (2 :: Int))
 
-plateOf :: Subject -> Int -> Plate
+plateOf :: SidedMesh -> Int -> Plate
 plateOf subject f = plate walk (cornersOf (whole subject) walk) (normals subject V.! f)
   where
     walk = formed subject V.! f

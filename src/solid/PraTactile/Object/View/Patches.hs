@@ -3,7 +3,7 @@
 -- | The faces of a solid that are turned to the eye, as convex parts in an order in which each may
 -- be painted over those before it.
 module PraTactile.Object.View.Patches
-  ( Patch (..),
+  ( VisiblePart (..),
     Side (..),
     patches,
   )
@@ -22,7 +22,7 @@ import PraTactile.Object.Vector
 import PraTactile.Object.View.Camera
 
 -- | A convex part of a face that is visible, or hidden by patches that are painted later.
-data Patch = Patch
+data VisiblePart = VisiblePart
   { -- | the face's index in the solid
     patchFace :: !Int,
     -- | its corners on the picture, each with the kind of the side to the next corner
@@ -46,7 +46,7 @@ data Piece = Piece
   }
 
 -- | All patches; those that others may hide come first.
-patches :: Camera -> [Patch]
+patches :: Camera -> [VisiblePart]
 patches it = map patch (ordered it planeOf (concatMap pieces (filter (facing it) [0 .. faces - 1])))
   where
     solid = cameraMesh it
@@ -56,7 +56,7 @@ patches it = map patch (ordered it planeOf (concatMap pieces (filter (facing it)
     planes = V.generate faces (\f -> let plane = planeAt it f in (plane, nearly it f plane))
     planeOf piece = planes V.! pieceFace piece
     patch piece =
-      Patch
+      VisiblePart
         { patchFace = pieceFace piece,
           patchCorners =
             [ (onPicture it (millimetres it (cornerAt p)), side)

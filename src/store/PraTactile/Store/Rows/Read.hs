@@ -55,8 +55,8 @@ fromRows given = do
   implied <- toRows profile numbers place
   maybe (pure (profile, numbers, place)) (Left . RowsDisagree) (disagreement given implied)
   where
-    sealsHold :: Part -> Either StoreError ()
-    sealsHold (Part table part) = mapM_ (intact table) (part given)
+    sealsHold :: TableRows -> Either StoreError ()
+    sealsHold (TableRows table part) = mapM_ (intact table) (part given)
 
 -- | The placement of the objects in the given rows, and their numbers. The arguments are the
 -- array's shape, its pitch, and the rows, which must be all of these objects.

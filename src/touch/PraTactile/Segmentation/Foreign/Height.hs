@@ -16,7 +16,7 @@ import PraTactile.Segmentation.Masked
 import PraTactile.Segmentation.Region
 
 -- | A region that may be a symbol.
-data Candidate = Candidate
+data SymbolCandidate = SymbolCandidate
   { candidatePixels :: !Region,
     candidateLevels :: !Levels,
     -- | the distance of its threshold from half its height, as a share of the height
@@ -41,7 +41,7 @@ symbolLevels pixels least
     low = middle (map (levelBackground . candidateLevels) alike)
 
 -- | Of candidates that share pixels, the one with the least misfit.
-distinct :: [Candidate] -> [Candidate]
+distinct :: [SymbolCandidate] -> [SymbolCandidate]
 distinct = go Set.empty . sortOn candidateMisfit
   where
     go _ [] = []
@@ -51,7 +51,7 @@ distinct = go Set.empty . sortOn candidateMisfit
 
 -- | The regions of a symbol's size above any of several thresholds, if the threshold is close to
 -- half the region's height.
-candidates :: Masked -> Double -> [Candidate]
+candidates :: Masked -> Double -> [SymbolCandidate]
 candidates pixels least
   | V.null seen = []
   | otherwise =
@@ -76,11 +76,11 @@ rungs = 24
 
 -- | A region above a threshold, with the levels of the region and of the pixels three pixels away
 -- from it.
-candidate :: Masked -> Double -> Region -> Maybe Candidate
+candidate :: Masked -> Double -> Region -> Maybe SymbolCandidate
 candidate pixels t region
   | length ring < 12 || high <= low = Nothing
   | otherwise =
-    Just (Candidate region (Levels low high) (abs (t - (low + high) / 2) / (high - low)))
+    Just (SymbolCandidate region (Levels low high) (abs (t - (low + high) / 2) / (high - low)))
   where
     ring =
       mapMaybe

@@ -67,7 +67,7 @@ data Branch (k :: Field) = Branch
     branchEach :: !Double,
     -- | The largest log-probability of the cells that are in no set.
     branchOutside :: !Double,
-    branchSources :: [Source k]
+    branchSources :: [SetSearch k]
   }
 
 type role Branch nominal
@@ -126,7 +126,7 @@ allBounds several = case several of
 
 -- | The log-bound of Note [What is not in the list] on all unlisted words. The number is the
 -- largest log-probability of the cells in no set.
-unlistedMass :: [Source k] -> Double -> Double
+unlistedMass :: [SetSearch k] -> Double -> Double
 unlistedMass sources outside = outside + minimum (0 : map bound (picked sources))
   where
     bound (s, others) = log (unseenMass s) + sum (map nextMass others)

@@ -3,7 +3,7 @@
 
 -- | The codewords of one information set, in order of the probability of their letters at the set.
 module PraTactile.Locate.Decoder.List.Source
-  ( Source,
+  ( SetSearch,
     sourceOf,
     sourceCount,
     sourceAtEnd,
@@ -25,7 +25,7 @@ import PraTactile.LinearCode.Elimination
 import PraTactile.LinearCode.InformationSet
 
 -- | The search through the codewords of one information set.
-data Source (k :: Field) = Source
+data SetSearch (k :: Field) = SetSearch
   { -- | the codewords that span the code
     sourceRows :: Boxed.Vector (Row k),
     -- | the codeword with the likeliest letter at each place of the set
@@ -43,7 +43,7 @@ data Source (k :: Field) = Source
     sourceCount :: !Int
   }
 
-type role Source nominal
+type role SetSearch nominal
 
 -- | Begins a search, from the log-probabilities of all cells.
 sourceOf ::
@@ -51,9 +51,9 @@ sourceOf ::
   KnownField k =>
   Boxed.Vector (Primitive.Vector Double) ->
   InformationSet k ->
-  Source k
+  SetSearch k
 sourceOf logs set =
-  Source unit (combination set (zip [0 ..] (map firstLetter options))) best stream 0 0 0
+  SetSearch unit (combination set (zip [0 ..] (map firstLetter options))) best stream 0 0 0
   where
     places = Primitive.toList (setPlaces set)
     unit = Boxed.fromList [combination set [(i, one)] | i <- [0 .. length places - 1]]
@@ -79,27 +79,27 @@ sourceOf logs set =
       ]
 
 -- | Whether all codewords have been searched, as far as probabilities are not zero.
-sourceAtEnd :: Source k -> Bool
+sourceAtEnd :: SetSearch k -> Bool
 sourceAtEnd = null . sourceNext
 
 -- | The loss in log-probability from the best letters to the next ones; 0 at the end.
-nextLoss :: Source k -> Double
+nextLoss :: SetSearch k -> Double
 nextLoss s = case sourceNext s of
   (loss, _) : _ -> loss
   [] -> 0
 
 -- | 1 - M, increased by its possible error.
-unseenMass :: Source k -> Double
+unseenMass :: SetSearch k -> Double
 unseenMass s = max 0 (1 - sourceMass s) + 1e-11
 
 -- | The log-probability of the next letters at the set; minus infinity at the end.
-nextMass :: Source k -> Double
+nextMass :: SetSearch k -> Double
 nextMass s = case sourceNext s of
   (loss, _) : _ -> sourceBest s - loss
   [] -> -1 / 0
 
 -- | The next codeword, and the search after it.
-advance :: KnownField k => Source k -> (Row k, Source k)
+advance :: KnownField k => SetSearch k -> (Row k, SetSearch k)
 advance source = case sourceNext source of
   [] -> (sourceFirst source, source)
   (loss, terms) : later ->
