@@ -138,7 +138,7 @@ cell =
   Operation
     { operationName = "cell",
       operationStage = OnArray,
-      operationSays = "a code; beyond the edges on the folding's own surface",
+      operationSays = "a code",
       operationInput = object (Position <$> key "row" natural row <*> key "column" natural column),
       operationOutput = natural,
       operationReasons = [],
@@ -311,9 +311,7 @@ distance =
   Operation
     { operationName = "distance",
       operationStage = OnProof,
-      operationSays =
-        "the least number of cells in which two windows differ on the folding's own surface; 0 if \
-        \two are equal",
+      operationSays = "the least number of cells in which two windows differ; 0 if two are equal",
       operationInput = maskInput,
       operationOutput = natural,
       operationReasons = [tooManyWindows],

@@ -281,8 +281,7 @@ primitive =
   Operation
     { operationName = "primitive",
       operationStage = OnPolynomial,
-      operationSays =
-        "`false` also if not monic, of degree 0, or with constant term 0",
+      operationSays = "`false` also if not monic, of degree 0, or with constant term 0",
       operationInput = alone "polynomial" (listOf natural),
       operationOutput = bool,
       operationReasons = [notFactored],
@@ -325,7 +324,7 @@ firstPrimitive =
   Operation
     { operationName = "first-primitive",
       operationStage = OnPolynomial,
-      operationSays = "the first in the order of its coefficients, highest degree first",
+      operationSays = "the first one, comparing coefficients from the highest degree down",
       operationInput = alone "degree" natural,
       operationOutput = ofAtLeast 2 (listOf natural),
       operationReasons = [notFactored, tooLong],

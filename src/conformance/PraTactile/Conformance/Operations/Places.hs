@@ -215,8 +215,7 @@ nearest =
   Operation
     { operationName = "nearest",
       operationStage = OnDamage,
-      operationSays =
-        placesAnswer ++ " where at most `radius` cells differ; null: the guaranteed radius",
+      operationSays = placesAnswer ++ " where at most `radius` cells differ",
       operationInput =
         object ((,) <$> key "radius" (nullable natural) fst <*> key "patch" patchForm snd),
       operationOutput = locationForm,
