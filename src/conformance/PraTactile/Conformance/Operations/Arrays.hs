@@ -105,7 +105,7 @@ terms =
   Operation
     { operationName = "terms",
       operationStage = OnSequence,
-      operationSays = "`length` terms, the first one s(from)",
+      operationSays = "`length` terms from s(from) on",
       operationInput = object ((,) <$> key "from" natural fst <*> key "length" natural snd),
       operationOutput = listOf natural,
       operationReasons = [tooLong],
@@ -138,7 +138,7 @@ cell =
   Operation
     { operationName = "cell",
       operationStage = OnArray,
-      operationSays = "the code of the cell; beyond the edges on the folding's own surface",
+      operationSays = "a code",
       operationInput = object (Position <$> key "row" natural row <*> key "column" natural column),
       operationOutput = natural,
       operationReasons = [],
@@ -177,7 +177,7 @@ pack =
   Operation
     { operationName = "pack",
       operationStage = OnWindow,
-      operationSays = "the window's number; `cells` are row by row, from left to right",
+      operationSays = "the window's number; `cells` are row by row",
       operationInput = alone "cells" (listOf natural),
       operationOutput = natural,
       operationReasons = [],
@@ -235,11 +235,10 @@ unpack =
   Operation
     { operationName = "unpack",
       operationStage = OnWindow,
-      operationSays = "the window's cells, row by row, from left to right",
+      operationSays = "the window's cells, row by row",
       operationInput = alone "packed" natural,
       operationOutput = listOf natural,
-      operationReasons =
-        [("out-of-range", "q^(k1 k2) or more is not a packed window")],
+      operationReasons = [("out-of-range", "the number is q^(k1 k2) or more")],
       operationLeast = const 1,
       operationWays =
         UnderProfile
@@ -312,9 +311,7 @@ distance =
   Operation
     { operationName = "distance",
       operationStage = OnProof,
-      operationSays =
-        "the minimum distance: the least number of cells in which two windows differ on the \
-        \folding's own surface; 0 if two are equal",
+      operationSays = "the least number of cells in which two windows differ; 0 if two are equal",
       operationInput = maskInput,
       operationOutput = natural,
       operationReasons = [tooManyWindows],

@@ -112,7 +112,7 @@ orRefusal reason = maybe (refuseFor reason) Right
 
 -- | The reason for an answer that does not fit in a line of the protocol.
 tooLong :: (String, String)
-tooLong = ("too-long", "the answer does not fit in a line of 1 MiB")
+tooLong = ("too-long", "the answer exceeds a line of 1 MiB")
 
 -- | The least number of bytes of a list of so many codes: a digit each, and what stands around it.
 leastOfList :: Natural -> Natural

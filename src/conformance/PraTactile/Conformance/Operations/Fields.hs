@@ -152,7 +152,7 @@ trace :: Operation Code Code
 trace =
   ofOne
     "trace"
-    "a + a^p + a^(p^2) + ..., m summands; a code below p"
+    "a + a^p + a^(p^2) + ..., m summands"
     []
     (\f a -> Right (Definition.trace f a))
     ( \p ->
@@ -274,15 +274,14 @@ power =
 
 -- | The reason where the factors of q^n - 1 are not known.
 notFactored :: (String, String)
-notFactored = ("not-factored", "the prime factors of q^n - 1 are not known")
+notFactored = ("not-factored", "the prime factors of q^n - 1 are unknown")
 
 primitive :: Operation [Code] Bool
 primitive =
   Operation
     { operationName = "primitive",
       operationStage = OnPolynomial,
-      operationSays =
-        "`true` or `false`; `false` also if not monic, of degree 0, or with constant term 0",
+      operationSays = "`false` also if not monic, of degree 0, or with constant term 0",
       operationInput = alone "polynomial" (listOf natural),
       operationOutput = bool,
       operationReasons = [notFactored],
@@ -325,8 +324,7 @@ firstPrimitive =
   Operation
     { operationName = "first-primitive",
       operationStage = OnPolynomial,
-      operationSays =
-        "the first primitive polynomial; coefficients are compared from the highest degree down",
+      operationSays = "the first one, comparing coefficients from the highest degree down",
       operationInput = alone "degree" natural,
       operationOutput = ofAtLeast 2 (listOf natural),
       operationReasons = [notFactored, tooLong],

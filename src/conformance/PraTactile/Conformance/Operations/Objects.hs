@@ -162,7 +162,7 @@ cellsForm = listOf (withSchema (const schema) (such (all (`elem` marks)) NotDraw
 impossibleFace :: (String, String)
 impossibleFace =
   ( "impossible-face",
-    "the corners are not a simple polygon in one plane, or a distance is not positive"
+    "the corners are no simple polygon in one plane, or a distance is not positive"
   )
 
 faceCells :: Operation ([Point], (Rational, Rational)) [String]
@@ -170,7 +170,7 @@ faceCells =
   Operation
     { operationName = "cells",
       operationStage = OnObjects,
-      operationSays = "rows of text: `#` is a cell on the face, `.` another",
+      operationSays = "rows of text: `#` on the face, `.` off it",
       operationInput = form,
       operationOutput = cellsForm,
       operationReasons = [impossibleFace, tooLong],
@@ -202,10 +202,7 @@ whereabouts =
       operationInput = form,
       operationOutput = object whereaboutsKeys,
       operationReasons =
-        [ ( "impossible-placement",
-            "cells are shared, off their face or off the sheet, or an object or a face is invalid"
-          )
-        ],
+        [("impossible-placement", "a side, distance, object or laying is invalid")],
       operationLeast = const 1,
       operationWays =
         WithoutProfile
@@ -295,7 +292,7 @@ facePose =
       operationOutput = poseCodec,
       operationReasons =
         [ impossibleFace,
-          ("undetermined", "fewer than two different points leave the rotation open")
+          ("undetermined", "fewer than two different points are given")
         ],
       operationLeast = const 1,
       operationWays =

@@ -163,13 +163,13 @@ locate =
   Operation
     { operationName = "locate",
       operationStage = OnLocate,
-      operationSays = placesAnswer ++ ", found by the complete windows",
+      operationSays = placesAnswer ++ ", by the complete windows",
       operationInput = alone "patch" patchForm,
       operationOutput = locationForm,
       operationReasons =
         [ tooFewCells,
           noCompleteWindow,
-          ("zero-window", "all complete windows are zero, and a zero window does not occur"),
+          ("zero-window", "no complete window occurs on the surface, and all of them are zeros"),
           notInArray,
           offSheet,
           contradiction,
@@ -215,18 +215,17 @@ nearest =
   Operation
     { operationName = "nearest",
       operationStage = OnDamage,
-      operationSays =
-        placesAnswer ++ " where at most `radius` cells differ; null is the guaranteed radius",
+      operationSays = placesAnswer ++ " where at most `radius` cells differ",
       operationInput =
         object ((,) <$> key "radius" (nullable natural) fst <*> key "patch" patchForm snd),
       operationOutput = locationForm,
       operationReasons =
         [ tooFewCells,
-          ("zero-window", "at most `radius` observed cells are not 0; for radius 0 as `locate`"),
+          ("zero-window", "at most `radius` observed cells are not 0, or as for `locate`"),
           notInArray,
           offSheet,
           contradiction,
-          ("beyond-radius", "every position differs in more than `radius` observed cells"),
+          ("beyond-radius", "every position differs in more than `radius` cells"),
           tableTooLarge,
           ("too-many-windows", "more windows than this decoder compares")
         ],
@@ -269,10 +268,14 @@ tooFewCells,
     (String, String)
 tooFewCells = ("too-few-cells", "no cell was observed")
 noCompleteWindow = ("no-complete-window", "no window of the patch has all its cells observed")
-notInArray = ("not-in-array", "no complete window of the patch occurs on the surface")
-offSheet = ("off-sheet", "the cells on the sheet agree, but the patch extends beyond it")
-contradiction = ("contradiction", "no position agrees with all observed cells")
-tableTooLarge = ("table-too-large", "the array has more positions than this decoder compares")
+notInArray = ("not-in-array", "no complete window occurs on the surface")
+offSheet =
+  ( "off-sheet",
+    "at a common place all cells on the sheet agree, but an observed or the upper left one is \
+    \beyond it"
+  )
+contradiction = ("contradiction", "no position fits the observed cells")
+tableTooLarge = ("table-too-large", "more positions than this decoder compares")
 
 observedIn :: KnownField k => Prepared k -> Patch -> Wire (Locate.Patch (GF k))
 observedIn it rows = traverse (traverse (traverse (element it))) rows >>= orRefuse "invalid" . patch
@@ -326,12 +329,10 @@ posterior =
     { operationName = "posterior",
       operationStage = OnChances,
       operationSays =
-        "`[[row, column, probability], ..]` in any order, correct to 10^-9; positions left out \
-        \have probability 0",
+        "`[[row, column, probability], ..]` in any order, correct to 10^-9; left out means 0",
       operationInput = alone "patch" (rowsOf chanceForm),
       operationOutput = listOf likelyForm,
-      operationReasons =
-        [("contradiction", "every position has probability 0"), tooLong, tableTooLarge],
+      operationReasons = [contradiction, tooLong, tableTooLarge],
       operationLeast = const 1,
       operationWays =
         UnderProfile
