@@ -72,7 +72,7 @@ figures: build ## run the commands that README and docs show, and put there what
 
 bench: setup ## the benchmarks
 	@tools/build.sh bench:bench
-	@$(CABAL) bench -v1
+	@$(CABAL) bench -v1 bench:bench
 
 # SYMBOLS=300 of each sensor and angle; about two minutes for each field.
 calibration: setup ## how many symbols are told and counted wrong with each shipped alphabet, by decade of doubt

@@ -18,11 +18,11 @@ import Text.Printf (printf)
 heading :: Radius -> String
 heading radius =
   unlines
-    [ "Of all patches in %. Hard: from symbols, to "
-        ++ reach
-        ++ ". Soft: from the same cells' probabilities, answered",
-      "where 99.9 % certain; and answered, the surest first, until as many are wrong as by hard \
-      \decoding: 'more' is by how many % more often.",
+    [ "Of all patches in %. Hard: from symbols, to " ++ reach ++ ".",
+      "Soft: from the same cells' probabilities. 99.9 % certain: answered if the doubt is at most \
+      \0.001.",
+      "Wrong as hard: the surest are answered first, until as many are wrong as by hard decoding; \
+      \more: how many % more are answered.",
       "",
       row "" "" "" ++ concat ["   " ++ centred 23 name | name <- overColumns],
       row "patch" "errors" "erased"

@@ -68,6 +68,19 @@ spec = do
                   === areas it_
                 | (owners, parts) <- withoutHoles it_
               ]
+    it "are flat: two saddles with a common side, first corner and area vector stay two" $ do
+      let saddles =
+            fromDescription . Description "saddles" corners $
+              map FaceName [["A", "B", "C", "D"], ["C", "B", "E", "F"]]
+          corners =
+            [ ("A", Point 0 0 0),
+              ("B", Point 1 0 1),
+              ("C", Point 1 1 0),
+              ("D", Point 0 1 1),
+              ("E", Point 2 0 0),
+              ("F", Point 2 1 1)
+            ]
+      faces (mergeCoplanar saddles) `shouldBe` faces saddles
     it "lose a vertex in the middle of an edge, and begin at the first vertex" $
       faces (mergeCoplanar (fromDescription halved))
         `shouldBe` faces

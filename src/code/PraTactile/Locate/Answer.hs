@@ -206,7 +206,7 @@ data Posterior place = Posterior
     -- list.
     posteriorEqual :: [place],
     -- | If the equally probable places are too many to list: their number, and the dimension of
-    -- their coset, if they are one.
+    -- their coset, if they are one. 'Nothing' also if it is not known how many lie on a sheet.
     posteriorMany :: Maybe (Natural, Maybe Natural),
     -- | An upper bound on the probability of all places but the equally probable ones; 1 if
     -- unlisted places may be equally probable.

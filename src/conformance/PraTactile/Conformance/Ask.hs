@@ -44,7 +44,7 @@ ask question = Asking question Done
 opening :: Profile -> Ask (Either Refusal ())
 opening profile = Opening profile Done
 
--- | Runs a trial with functions that open profiles and answer questions at once.
+-- | Runs a trial, one question after the other. The functions open a profile and answer a question.
 answerAll ::
   Monad m =>
   (Profile -> m (Either Refusal ())) ->

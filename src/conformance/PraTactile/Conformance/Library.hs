@@ -37,7 +37,8 @@ library =
         _ -> notOffered
       Raw _ _ -> notOffered
 
--- | The reason for refusing a profile: it describes no array, or that is unknown.
+-- | The reason for refusing a profile: @impossible-profile@ if it describes no array;
+-- @not-factored@ if that cannot be decided because q^n - 1 is not factored.
 unopened :: ProfileError -> String
 unopened why = case why of
   ProfilePolynomial (OrderNotFactored _) -> "not-factored"

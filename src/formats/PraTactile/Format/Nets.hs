@@ -13,8 +13,8 @@ import PraTactile.Format.Json
 import PraTactile.Object.Net
 import PraTactile.Object.WingedEdge
 
--- | The number of unfoldings of a solid and the net that 'pickCut' found, as one line without its
--- line end.
+-- | The JSON of a solid and of what @'pickCut' 'mostTried'@ found for it, as one line without its
+-- line end. The line states this limit, so no other may have been used.
 encodeNets :: Solid -> Either NoNet (Solid, [FaceName], Unfolding) -> ByteString
 encodeNets whole found =
   encodeSchema "nets/2" $

@@ -36,7 +36,7 @@ import PraTactile.Profile
 data PlacementFileError
   = -- | It does not fit the format.
     PlacementMisfit FormatError
-  | -- | The coordinates of the named object have no common denominator below 20 000 bits.
+  | -- | The coordinates of the named object have no common denominator below 2^20000.
     ObjectTooFine ObjectName
   | -- | The named object is not a solid.
     ObjectBroken ObjectName Defect

@@ -23,8 +23,9 @@ import PraTactile.Format.Json
 import PraTactile.Format.Profile
 import PraTactile.Profile (Profile)
 
--- | A field as one line without its line end. Lists are indexed by one code, lists of lists by
--- two.
+-- | A field as one line without its line end. @add@ and @multiply@ are indexed by two codes;
+-- @negate@, @inverse@ and @log@ by one (null where there is none); @powers@, those of the element
+-- @primitive@, by the exponent, from 0 to q - 2. @modulus@ has the constant term first.
 encodeField :: forall k. KnownField k => Proxy k -> ByteString
 encodeField k =
   encodeSchema "field/1" $
@@ -46,8 +47,8 @@ encodeField k =
 data PolynomialKind = PrimitiveOnes | IrreducibleOnes
   deriving stock (Eq, Show)
 
--- | The polynomials of a degree over a field, or only their number, as one line without its line
--- end. The line is produced lazily.
+-- | The polynomials of a degree over a field, each by the codes of its coefficients, constant term
+-- first; or only their number; as one line without its line end. The line is produced lazily.
 encodePolynomials ::
   KnownField k =>
   Proxy k ->
@@ -76,8 +77,9 @@ encodeArray profile codes =
       <> "profile" .= profileValue profile
       <> "rows" .= codes
 
--- | The terms of a profile's sequence, from an index on and of a given number, as one line without
--- its line end. The line is produced lazily.
+-- | Terms of a profile's sequence as one line without its line end, given the index of the first
+-- term, the number of terms, and their codes. The number is not compared with the list, which is
+-- written lazily.
 encodeTerms :: Profile -> Integer -> Natural -> [Int] -> Lazy.ByteString
 encodeTerms profile from count codes =
   encodeLine $
@@ -89,14 +91,21 @@ encodeTerms profile from count codes =
 
 -- | The shortest shift register that produces the given symbols.
 data SynthesisReport = SynthesisReport
-  { synthesisOrder :: Natural,
+  { -- | q
+    synthesisOrder :: Natural,
+    -- | the modulus of GF(q), constant term first
     synthesisModulus :: [Natural],
+    -- | the number of the given symbols
     synthesisSymbols :: Int,
+    -- | the coefficients of the register's polynomial, constant term first
     synthesisCodes :: [Natural],
+    -- | the number of stages L
     synthesisRegister :: Int,
+    -- | whether the symbols determine the register: at least 2 L are given
     synthesisUnique :: Bool,
-    -- | 'Nothing' if it was not decided
+    -- | whether the polynomial is primitive; 'Nothing' if that was not decided
     synthesisPrimitive :: Maybe Bool,
+    -- | the first L symbols
     synthesisState :: [Natural]
   }
 

@@ -62,7 +62,7 @@ gridOutcome ::
 gridOutcome reader tolerance face witnesses answered = case fmap answerOutcome <$> answered of
   Just (Left why) -> Undecoded why
   Just (Right (Unique candidate _)) ->
-    placedAt findings witnesses position (standingAt reader witnesses position)
+    placedAt findings witnesses position (witnessesAt reader witnesses position)
     where
       position = candidatePosition candidate
   _ -> whyUnlikely findings witnesses

@@ -80,7 +80,7 @@ supportFrom reader witnesses (Asked shown answered) = do
   answer <- either (const Nothing) Just answered
   candidate <- answerPosterior answer >>= posteriorBest
   PlaceDoubts elsewhere foreign' <- answerDoubts answer
-  let standing = standingAt reader witnesses (candidatePosition candidate)
+  let standing = witnessesAt reader witnesses (candidatePosition candidate)
   pure
     Support
       { supportDoubts =
@@ -91,8 +91,8 @@ supportFrom reader witnesses (Asked shown answered) = do
               doubtOfSlip = 0,
               doubtsOfOrigin = foreign'
             },
-        supportAgreeing = length (standingAgreeing standing),
-        supportWrong = map readNumber (standingWrong standing),
+        supportAgreeing = length (agreeingWitnesses standing),
+        supportWrong = map readNumber (wrongWitnesses standing),
         supportInconsistent = mostlyWrong standing,
         supportDistance = witnessesDistance witnesses,
         supportRadius = witnessesRadius witnesses,

@@ -14,7 +14,7 @@ module PraTactile.Recognise.Witnesses
 
     -- * For and against a position
     WitnessSplit (..),
-    standingAt,
+    witnessesAt,
     mostlyWrong,
   )
 where
@@ -93,7 +93,8 @@ witnessesOf reader tolerance face =
       map offsetOf (Set.toAscList (Set.fromList [cell | (cell, _, o) <- inCells, o == orientation]))
     distance = cellsDistance (recogniserLocator reader) offsets
 
--- | The cells of 'witnessesKnown', one list for each composite.
+-- | The cells of 'witnessesKnown', one list for each composite that has any. A face may be read
+-- from several composites.
 bySource :: Witnesses -> [[Position]]
 bySource witnesses =
   Map.elems $
@@ -104,18 +105,18 @@ bySource witnesses =
 -- | The witnesses that support a position and those that contradict it.
 data WitnessSplit = WitnessSplit
   { -- | those that agree with the array
-    standingAgreeing :: [ReadSymbol],
+    agreeingWitnesses :: [ReadSymbol],
     -- | those that disagree with the array, have another orientation, or lie off the grid
-    standingWrong :: [ReadSymbol]
+    wrongWitnesses :: [ReadSymbol]
   }
 
 -- | Sorts the witnesses by whether they support a position. The position is that of the grid's
 -- upper left cell in the array.
-standingAt :: KnownField k => Recogniser k -> Witnesses -> Position -> WitnessSplit
-standingAt reader witnesses position =
+witnessesAt :: KnownField k => Recogniser k -> Witnesses -> Position -> WitnessSplit
+witnessesAt reader witnesses position =
   WitnessSplit
-    { standingAgreeing = map snd agreeing,
-      standingWrong =
+    { agreeingWitnesses = map snd agreeing,
+      wrongWitnesses =
         map snd misfits ++ witnessesOtherWayUp witnesses ++ witnessesStray witnesses
     }
   where

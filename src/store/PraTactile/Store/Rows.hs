@@ -42,7 +42,8 @@ data Rows = Rows
     layings :: [StoredLaying],
     runBands :: [StoredBand],
     runs :: [StoredRun],
-    -- | the former places of objects
+    -- | The former places of objects ("PraTactile.Store.Former"). Only 'insertRows' regards them:
+    -- 'selectRows' returns none; 'changeRows', 'allTexts' and 'disagreement' ignore them.
     formerRows :: [StoredFormer]
   }
 

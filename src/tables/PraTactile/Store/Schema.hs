@@ -131,9 +131,11 @@ StoredEdge sql=edge
   Foreign StoredFace fk_edge_left object leftFace
   Foreign StoredFace fk_edge_right object rightFace
   deriving Eq
--- A face's frame begins at its corner of that number. The block that is drawn has so many rows and
--- columns; the array's sheet takes it from that row and column of it on. Without a margin the drawn
--- block is centred.
+-- The face's axes begin at its corner of the number beginsAt. The face carries gridRows x
+-- gridColumns of the array, from atRow and atColumn on. They are the part, from drawnFromRow and
+-- drawnFromColumn on, of a block of drawnRows x drawnColumns cells that is centred on the face. If
+-- there is a margin, it is instead the distance of the grid's upper left corner, right of and below
+-- that corner.
 StoredLaying sql=laying
   number Int64
   object Int64
@@ -154,14 +156,14 @@ StoredLaying sql=laying
   UniqueLaying object face
   Foreign StoredFace fk_laying_face object face
   deriving Eq
--- The rows of the array from the first to before the last, in which runs are the same.
+-- Rows fromRow to toRow - 1 of the array, all of which have the same runs.
 StoredBand sql=band
   fromRow Int64
   toRow Int64
   seal Int64
   Primary fromRow
   deriving Eq
--- The columns from the first to before the last, in a band, that a laid face has, or none.
+-- Columns fromColumn to toColumn - 1 of a band; laying is null where no laid face has them.
 StoredRun sql=run
   band Int64
   fromColumn Int64
@@ -174,7 +176,7 @@ StoredRun sql=run
   deriving Eq
 |]
 
--- Beside the tables of this version, for a store is one without it.
+-- Kept apart from the tables above: a store without this table is valid, too.
 share
   [mkPersist sqlSettings, mkMigrate "migrateFormer"]
   [persistLowerCase|

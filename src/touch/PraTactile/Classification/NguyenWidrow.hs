@@ -6,13 +6,13 @@
 --
 -- > m = 0.7 s^(1/r)
 --
--- and let b_i = m l_i sign (w_i1), where l are s equally spaced numbers from -1 to 1 (0 if s = 1).
+-- and let b_i = m t_i sign (w_i1), where t are s equally spaced numbers from -1 to 1 (0 if s = 1).
 -- These w and b suit inputs from -1 to 1 and units that respond to sums from -1 to 1. The toolbox
 -- takes the sigmoid's responsive range to be -4 to 4, so it multiplies w and b by 4. An input x_j
--- whose range is a_j to b_j is mapped to 2 (x_j - a_j) / (b_j - a_j) - 1. The resulting weights W
+-- whose range is l_j to u_j is mapped to 2 (x_j - l_j) / (u_j - l_j) - 1. The resulting weights W
 -- and biases B are
 --
--- > W_ij = 4 w_ij 2 / (b_j - a_j),    B_i = 4 b_i - sum_j 4 w_ij (b_j + a_j) / (b_j - a_j)
+-- > W_ij = 4 w_ij 2 / (u_j - l_j),    B_i = 4 b_i - sum_j 4 w_ij (u_j + l_j) / (u_j - l_j)
 --
 -- An input whose range is a single point gets the weight 0.
 module PraTactile.Classification.NguyenWidrow

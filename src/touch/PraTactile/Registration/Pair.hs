@@ -39,7 +39,9 @@ data PairMethod
     Correlation
   | -- | by the frames alone, whatever they show
     Blind
-  | -- | by the lattice of cells: pitch and alphabet known, the array not
+  | -- | By the lattice of cells of 16 x 20 taxels ("PraTactile.Geometry") along the frame's axes.
+    -- The alphabet is known, the array is not. Frames of another pitch or rotation must be
+    -- resampled first.
     Lattice
   | -- | by the lattice if the frames show it rather than anything else, otherwise blind
     Auto
@@ -69,7 +71,7 @@ data PairRefusal
     Blank
   | -- | One axis is determined, the other is not.
     OneAxis
-  | -- | Several places fit equally well.
+  | -- | No place is as probable as 'pairingConfidence', or several places are equally good.
     Ambiguous
   | -- | The frames do not overlap anywhere in the search.
     NoOverlap
@@ -96,7 +98,8 @@ data Match = Match
 data PairError
   = -- | The frames differ in size: width and height of each.
     PairSizes !(Int, Int) !(Int, Int)
-  | -- | The frames are smaller than 4 x 4 or larger than 256 x 256 taxels.
+  | -- | The frames are smaller than 4 x 4 or larger than 256 x 256 taxels, or the tables are for
+    -- another size.
     PairFrameSize !(Int, Int)
   | -- | A frame has a value that is not finite.
     PairNotFinite

@@ -98,9 +98,9 @@ placedFrames given =
     numbers =
       IntMap.fromList [(k, n) | (n, same) <- zip [0 ..] (toList groups), (k, _) <- toList same]
 
--- | The origin of places in the robot's coordinates, taxels. Wrong axes or a wrong scale of the
--- robot change places about the robot's own origin. So this is added before they are undone, and
--- subtracted afterwards.
+-- | The origin of places in the robot's coordinates, taxels. Wrong axes or a wrong scale turn or
+-- stretch places about the robot's own origin. To undo that, add this to a place, undo it, and
+-- subtract this again.
 robotOrigin :: PlacedFrames -> Taxels
 robotOrigin scene = let (left, top) = placedCorner scene in (inTaxels left, inTaxels top)
 

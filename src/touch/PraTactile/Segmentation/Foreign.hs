@@ -32,16 +32,18 @@ import PraTactile.Segmentation.Symbol
 data ForeignMasked = ForeignMasked
   { -- | the composite for cutting out symbols
     maskedComposite :: !Composite,
-    -- | the composite for reading parts of symbols, if it differs: foreign regions of the symbols'
-    -- height stay, because the part of a symbol beside one still shows its class
+    -- | 'Nothing' if no region was masked; otherwise the composite for reading parts of symbols. In
+    -- it foreign regions of the symbols' height stay, because the part of a symbol beside one still
+    -- shows its class.
     maskedByHeight :: !(Maybe Composite),
     maskedRejects :: ![Reject]
   }
   deriving stock (Eq, Show)
 
 -- | Masks the regions of a composite that are longer than any symbol or sunken, and lists them.
--- The composite stays unchanged if everything embossed looks like symbols, or nothing is embossed,
--- and nothing is sunken.
+-- The composite stays unchanged if nothing is embossed; if everything embossed looks like symbols
+-- and nothing is sunken; or if no region has a symbol's size, so that the symbols' height is
+-- unknown.
 maskForeign :: Composite -> ForeignMasked
 maskForeign composite = case levels least (touchedValues pixels) of
   Just found
@@ -92,8 +94,10 @@ data ForeignRegion = ForeignRegion
   }
 
 -- | The foreign regions, given the symbols' levels and regions. Each is widened by a margin that
--- stays clear of symbols and of their margins. Regions clearly higher than symbols are found first,
--- because at a lower threshold a nearby symbol would merge with them.
+-- stays clear of symbols and of their margins. Of long regions of the symbols' height only the
+-- parts on straight lines are foreign, so that a symbol that touches a bar stays. Regions clearly
+-- higher than symbols are found first, because at a lower threshold a nearby symbol would merge
+-- with them.
 foreignIn :: Masked -> Levels -> [Region] -> [ForeignRegion]
 foreignIn pixels own symbols =
   [ForeignRegion region TooLarge True | region <- high]

@@ -128,7 +128,7 @@ faultSpec = describe "in a session" $ do
 -- fault is that it never ends, because a busy machine may be slow to start one.
 patience :: String -> String
 patience fault
-  | fault `elem` ["hang", "stays", "closed-input", "no-line-end"] = byEffort "0.5" "3"
+  | fault `elem` ["hang", "stays", "closed-input", "no-line-end"] = byEffort "1.5" "3"
   | otherwise = "60"
 
 oneShotSpec :: Spec

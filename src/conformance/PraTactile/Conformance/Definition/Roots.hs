@@ -2,8 +2,8 @@
 --
 -- > c_0 + c_1 sqrt n_1 + c_2 sqrt n_2 + c_3 sqrt (n_1 n_2) + ..
 --
--- and their signs, decided root by root: u + v sqrt n has the common sign of u and v, or otherwise
--- the sign of u (u^2 - n v^2).
+-- and their signs, decided root by root: u + v sqrt n has the sign that u and v share, or that of
+-- the other if one is 0. If their signs are opposite it has that of u (u^2 - n v^2).
 module PraTactile.Conformance.Definition.Roots
   ( Number,
     rootTimes,
@@ -16,7 +16,7 @@ module PraTactile.Conformance.Definition.Roots
 where
 
 -- | The coefficients, 2^k of them for k roots: the second half are those with the last root. The
--- caller keeps the numbers under the roots, last one first.
+-- caller keeps the numbers under the roots, last one first. They are positive; squares are allowed.
 type Number n = [n]
 
 -- | A multiple of one root, which is given by its index (0 for the last one), or of 1.

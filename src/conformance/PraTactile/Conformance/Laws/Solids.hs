@@ -1,12 +1,12 @@
 {-# LANGUAGE OverloadedStrings #-}
 
--- | Random solids of one piece or several, with handles, cavities and nonconvex faces, at any
--- place and angle; and the same with one defect.
+-- | Random solids of one piece or several, with handles, cavities and nonconvex faces, sheared,
+-- scaled and shifted at random; and the same with one defect.
 module PraTactile.Conformance.Laws.Solids
   ( solids,
     spoilt,
 
-    -- * Changes that keep a solid valid
+    -- * Changes
     affine,
     moved,
     labelled,
@@ -36,7 +36,7 @@ solids = do
       hollow <- frequency [(3, pure False), (1, pure True)]
       let outer = labelled ("p" ++ show k ++ ".") (namedDescription shape)
           apart = moved (\(Point x y z) -> Point (x + 1000 * fromInteger k) y z)
-          -- A box of 60 has room for a box in its middle, which is turned inside out.
+          -- The box's sides are at least 50, so this smaller box, turned inside out, has room.
           cavity =
             moved (\(Point x y z) -> Point (x + 20) (y + 20) (z + 20)) $
               reversed (labelled ("h" ++ show k ++ ".") (namedDescription (Box 10 12 14)))
@@ -97,7 +97,8 @@ labelled prefix it =
 reversed :: Description -> Description
 reversed it = it {describedFaces = [FaceName (reverse walk) | FaceName walk <- describedFaces it]}
 
--- | The union of two polyhedra as one description.
+-- | Two polyhedra as one description, with the first's name. It is valid if their vertices' names
+-- differ and they do not meet.
 both :: Description -> Description -> Description
 both a b =
   Description
@@ -105,8 +106,9 @@ both a b =
     (describedVertices a ++ describedVertices b)
     (describedFaces a ++ describedFaces b)
 
--- | The polyhedron with a defect of this kind somewhere; it may have further defects as a
--- consequence.
+-- | A change that usually makes a defect of this kind, and perhaps others. Sometimes it does not: a
+-- tetrahedron, say, never becomes 'NotPlanar'. The polyhedron has vertices and faces, and each face
+-- at least two vertices.
 spoilt :: Kind -> Description -> Gen Description
 spoilt kind it = case kind of
   NoFaces -> pure it {describedFaces = []}
@@ -140,7 +142,7 @@ spoilt kind it = case kind of
     walked <- elements (rotations walk ++ rotations (reverse walk))
     pure it {describedFaces = faces ++ [FaceName walked]}
   NoArea -> do
-    -- A side is divided in two, with a flat triangle on it.
+    -- A flat triangle: the ends of a side and a new vertex on its line.
     FaceName walk <- elements faces
     let (a, b) = (head walk, walk !! 1)
     middle <- elements [0, 1 / 3, 1 / 2, 2]
@@ -173,12 +175,11 @@ spoilt kind it = case kind of
     k <- choose (0, length faces - 1)
     let FaceName walk = faces !! k
     i <- choose (0, length walk - 1)
-    everywhere <- arbitrary
     middle <- elements [1 / 2, 1 / 7]
     let (a, b) = cyclicPairs walk !! i
         split other vs =
           concat [if (v, w) == other then [v, "new"] else [v] | (v, w) <- cyclicPairs vs]
-        other' f vs = if f == k || everywhere then split (a, b) vs else vs
+        other' f vs = if f == k then split (a, b) vs else vs
     pure
       it
         { describedVertices = vertices ++ [("new", between middle (pointOf a) (pointOf b))],

@@ -281,7 +281,9 @@ primitive =
   Operation
     { operationName = "primitive",
       operationStage = OnPolynomial,
-      operationSays = "`false` also if not monic, of degree 0, or with constant term 0",
+      operationSays =
+        "whether it is primitive; `false` also if not monic, of degree 0, or with constant \
+        \term 0",
       operationInput = alone "polynomial" (listOf natural),
       operationOutput = bool,
       operationReasons = [notFactored],
@@ -324,7 +326,9 @@ firstPrimitive =
   Operation
     { operationName = "first-primitive",
       operationStage = OnPolynomial,
-      operationSays = "the first one, comparing coefficients from the highest degree down",
+      operationSays =
+        "the first primitive polynomial, comparing coefficients from the highest degree down; \
+        \degree 0 is `invalid`",
       operationInput = alone "degree" natural,
       operationOutput = ofAtLeast 2 (listOf natural),
       operationReasons = [notFactored, tooLong],

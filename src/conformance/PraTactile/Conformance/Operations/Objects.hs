@@ -292,7 +292,7 @@ facePose =
       operationOutput = poseCodec,
       operationReasons =
         [ impossibleFace,
-          ("undetermined", "fewer than two different points are given")
+          ("undetermined", "fewer than two different `on_face` are given")
         ],
       operationLeast = const 1,
       operationWays =

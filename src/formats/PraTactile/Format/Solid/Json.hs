@@ -33,7 +33,8 @@ import PraTactile.Format.Solid.Number
 import PraTactile.Object.Description
 import PraTactile.Object.Mesh
 
--- | Reads a polyhedron from JSON. Only its form is checked.
+-- | Reads a polyhedron from JSON. Refuses another form, and coordinates that are 'tooFine' (told as
+-- line 1). Whether it is a solid is not checked.
 readObject :: ByteString -> Either SolidFileError Contents
 readObject bytes = do
   described <- first ObjectRefused (decodeWith keys bytes)
@@ -41,8 +42,8 @@ readObject bytes = do
     then Left (SolidFileError (AtLine 1) NoCommonDenominator)
     else Right (Contents (fromDescription described) [])
 
--- | Whether the common denominator of the coordinates has more than 20 000 bits. With many more
--- bits, the coordinates of a file of some megabytes would fill the memory.
+-- | Whether the common denominator of the coordinates is 2^20000 or more. With many more bits, the
+-- coordinates of a file of some megabytes would fill the memory.
 tooFine :: Description -> Bool
 tooFine described =
   isNothing
@@ -53,7 +54,7 @@ tooFine described =
     )
   where
     common over under =
-      let both = lcm over under in if integerLog2 both > 20000 then Nothing else Just both
+      let both = lcm over under in if integerLog2 both >= 20000 then Nothing else Just both
 
 -- | A polyhedron as JSON on one line, without its line end.
 writeObject :: Mesh -> ByteString

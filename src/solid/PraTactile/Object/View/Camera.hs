@@ -39,15 +39,16 @@ data View = View
     viewTowards :: !(Rational, Rational, Rational),
     -- | the upward direction on the picture; only its part orthogonal to 'viewTowards' counts
     viewUp :: !(Double, Double, Double),
-    -- | the distance of the eye as a multiple of the solid's size; 'Nothing' for an infinite
-    -- distance, which keeps parallels parallel
+    -- | The eye's distance from the centre of the bounding box, as a multiple of its longest side.
+    -- It is above 0.87, which is not checked, so that the whole solid is before the eye. 'Nothing'
+    -- is an infinite distance, which keeps parallels parallel.
     viewAway :: !(Maybe Rational)
   }
   deriving stock (Eq, Show)
 
 -- | The view from an azimuth and an elevation, in degrees, and a distance of the eye ('viewAway').
--- It is from the front if both angles are 0, from the right at azimuth 90, from above at elevation
--- 90.
+-- At 0 and 0 the eye is on the side of negative y (the front), at azimuth 90 on that of positive x
+-- (the right), at elevation 90 on that of positive z (above).
 viewFrom :: Double -> Double -> Maybe Rational -> View
 viewFrom azimuth elevation =
   viewAlong
@@ -97,8 +98,9 @@ camera view whole = Camera it view middle eye size
     zs solid' = [z | V3 _ _ z <- V.toList (meshPoints solid')]
 
 -- | The place on the picture of a point in space, both in millimetres; x to the right and y down,
--- from the centre of the solid. At the centre's distance, lengths orthogonal to the direction of
--- view are true.
+-- from the centre of the solid. Lengths in the plane through the centre, at right angles to the
+-- direction of view, are drawn in true size. With a finite 'viewAway' nearer ones are larger and
+-- farther ones smaller.
 onPicture :: Camera -> (Double, Double, Double) -> (Double, Double)
 onPicture it (px, py, pz) = (k * right, negate (k * up))
   where

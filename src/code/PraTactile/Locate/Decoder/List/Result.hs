@@ -92,8 +92,9 @@ solved (branch, word) = (branch, word, wordSolutions (branchCode branch) word)
 placesOf :: KnownField k => (Branch k, Row k, Solutions k) -> [Position]
 placesOf (branch, word, solutions) = wordPlaces (branchCode branch) word solutions
 
--- | The candidates of the equally best words. If they are too many to list, there are none; then
--- their number, and the dimension of their coset if they belong to one word.
+-- | The candidates of the equally best words. If they are too many to list, there are none, but
+-- their number, and the dimension of their coset if they belong to one word. If it is not known how
+-- many lie on the sheet, there are neither candidates nor a number.
 bestPlaces ::
   KnownField k => Setting -> [(Branch k, Row k)] -> ([Candidate], Maybe (Natural, Maybe Natural))
 bestPlaces setting best = case words' of
