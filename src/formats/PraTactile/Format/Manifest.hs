@@ -76,9 +76,9 @@ manifestKeys =
            <*> key "frames" some' manifestEntries
        )
   where
-    fullScale = such isFullScale (OutOfRange "the full scale" fullScales) real
-    pitch = such isTaxelPitch (OutOfRange "the pitch" taxelPitches) real
-    some' = such (not . null) NoFrame (listOf (object entryKeys))
+    fullScale = satisfying isFullScale (OutOfRange "the full scale" fullScales) real
+    pitch = satisfying isTaxelPitch (OutOfRange "the pitch" taxelPitches) real
+    some' = satisfying (not . null) NoFrame (listOf (object entryKeys))
     axes = flip (via axesName) text $ \given ->
       maybe (refuse (NotAmong (map fst axesNamed) given)) Right (lookup given axesNamed)
 

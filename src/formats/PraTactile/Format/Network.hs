@@ -104,7 +104,7 @@ networkKeys =
   where
     written q shapesOf inputs hidden outs _ w1 w2 sure seed regimen =
       Written q inputs hidden outs (w1, w2) sure (\n -> NetworkFile n shapesOf sure seed regimen)
-    sigmoidAlone = such (== "sigmoid") (NotAmong ["sigmoid"] "another activation") text
+    sigmoidAlone = satisfying (== "sigmoid") (NotAmong ["sigmoid"] "another activation") text
     -- Zeros lose their sign, because readers differ in keeping it.
     unsigned = map (map (+ 0))
 
@@ -119,7 +119,7 @@ calibration =
       <*> key "classes" (listOf number) classOffsets
       <*> key "none" (listOf number) ofOthers
   where
-    number = such ((<= 1e6) . abs) BeyondMillion real
+    number = satisfying ((<= 1e6) . abs) BeyondMillion real
 
 asNetwork :: Written -> Either FormatError NetworkFile
 asNetwork given = do

@@ -68,15 +68,15 @@ motionKeys =
         ( Schema.Named "rotation"
             . Schema.Described "The rows of a matrix that turns and does not mirror."
         )
-        (such isRotation NotRotation (matrix 3))
+        (satisfying isRotation NotRotation (matrix 3))
     translation =
       withSchema
         (Schema.Named "translation" . Schema.Described "Along x, y and z, millimetres.")
-        (ofLength 3 (such ((== 3) . length) (NotMatrix 1 3) (listOf real)))
+        (ofLength 3 (satisfying ((== 3) . length) (NotMatrix 1 3) (listOf real)))
 
 -- | A square matrix with the given number of rows.
 matrix :: Int -> Codec Matrix
-matrix n = ofLength n (such whole (NotMatrix n n) (listOf (ofLength n (listOf real))))
+matrix n = ofLength n (satisfying whole (NotMatrix n n) (listOf (ofLength n (listOf real))))
   where
     whole rows = length rows == n && all ((== n) . length) rows
 

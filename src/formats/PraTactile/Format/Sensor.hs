@@ -53,7 +53,7 @@ constantCodec = case object keys of
         <* key "source" text (constantSource . fst)
     unitOf constant =
       let unit = constantUnit constant
-       in such (== unit) (OtherUnit (constantName constant) unit) text
+       in satisfying (== unit) (OtherUnit (constantName constant) unit) text
 
 constantNamed :: Codec Constant
 constantNamed = flip (via constantName) text $ \given ->
@@ -87,7 +87,7 @@ bendCodec :: Codec Bend
 bendCodec = object (Bend <$> key "radius_mm" radius bendRadius <*> key "axis" axis bendAxis)
   where
     radius =
-      such
+      satisfying
         (\r -> r > 0 && r <= longestRadius)
         (OutOfRange "radius_mm" (0, longestRadius))
         real

@@ -78,11 +78,11 @@ regionKeys =
     -- The angle in the file is the whole rotation, from 0 to 360.
     freeAngle r = if regionAngle r == 0 then Nothing else Just (regionTurn r)
     beyond quarter degrees = degrees - quarter - (if degrees - quarter > 180 then 360 else 0)
-    angle = such (\degrees -> degrees >= 0 && degrees < 360) NotAngle real
+    angle = satisfying (\degrees -> degrees >= 0 && degrees < 360) NotAngle real
     regionSides given = (regionWidth given, regionHeight given)
     side =
       via fromIntegral (Right . fromIntegral) $
-        such (<= longestSide) (RegionTooLarge longestSide) natural
+        satisfying (<= longestSide) (RegionTooLarge longestSide) natural
     longestSide = 100000
 
 -- | Reads the claim from an answer of @decode@; 'Nothing' if it names no place on a face. Refuses

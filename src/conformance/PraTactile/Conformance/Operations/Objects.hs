@@ -54,7 +54,7 @@ point = withSchema (const schema) (via (\(Point x y z) -> [x, y, z]) three (list
 vertexName :: Codec VertexName
 vertexName =
   withSchema (const (Schema.Text ["pattern" .= ("^\\S+$" :: Text)])) $
-    via vertexText (Right . VertexName) (such isName NotVertexName text)
+    via vertexText (Right . VertexName) (satisfying isName NotVertexName text)
   where
     isName name = not (null name || any isSpace name)
 
@@ -153,7 +153,7 @@ lessPoint p@(Point x y z) = filter (/= p) [Point (whole x) (whole y) (whole z)]
 
 -- | Rows of cells, those that are taken marked by @#@, the others by @.@.
 cellsForm :: Codec [String]
-cellsForm = listOf (withSchema (const schema) (such (all (`elem` marks)) NotDrawnCells text))
+cellsForm = listOf (withSchema (const schema) (satisfying (all (`elem` marks)) NotDrawnCells text))
   where
     schema = Schema.Text ["pattern" .= ("^[#.]*$" :: Text)]
     marks = "#." :: String
@@ -280,7 +280,7 @@ feltForm =
     seenKeys = (,) <$> key "on_face" (pairOf real) fst <*> key "by_robot" (pairOf real) snd
     deviation =
       withSchema (const (Schema.Real ["exclusiveMinimum" .= (0 :: Int)])) $
-        such (> 0) NotReal real
+        satisfying (> 0) NotReal real
 
 facePose :: Operation Felt Pose
 facePose =

@@ -17,7 +17,7 @@ module PraTactile.Format.Json.Codec
     anything,
     listOf,
     distinct,
-    such,
+    satisfying,
     nullable,
     text,
     fileName,
@@ -143,8 +143,8 @@ distinct part name (Codec schema write decoder) =
       | otherwise = go (Set.insert (part a) before) others
 
 -- | Restricts a codec to values that satisfy the test; others are refused with the given misfit.
-such :: (a -> Bool) -> Misfit -> Codec a -> Codec a
-such holds misfit = via id (\a -> if holds a then Right a else refuse misfit)
+satisfying :: (a -> Bool) -> Misfit -> Codec a -> Codec a
+satisfying holds misfit = via id (\a -> if holds a then Right a else refuse misfit)
 
 -- | A value or null.
 nullable :: Codec a -> Codec (Maybe a)
@@ -161,7 +161,7 @@ text = Codec (Schema.Text []) id $ \value -> case value of
 
 -- | A file name.
 fileName :: Codec FilePath
-fileName = such isFileName NotFileName text
+fileName = satisfying isFileName NotFileName text
 
 -- | True or false.
 bool :: Codec Bool

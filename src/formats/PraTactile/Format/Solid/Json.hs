@@ -79,7 +79,7 @@ vertexKeys = (,) <$> key "name" vertexName fst <*> key "at" point snd
 vertexName :: Codec VertexName
 vertexName =
   via vertexText (Right . VertexName) $
-    such (\name -> not (null name || any isSpace name)) NotVertexName text
+    satisfying (\name -> not (null name || any isSpace name)) NotVertexName text
 
 point :: Codec Point
 point = via (\(Point x y z) -> [x, y, z]) three (listOf exact)
