@@ -35,10 +35,10 @@ someAnswer =
     <*> someText
     <*> several somePosition
     <*> maybeOf someChance
-    <*> maybeOf someBasis
+    <*> maybeOf someEvidence
   where
-    someBasis =
-      Basis
+    someEvidence =
+      Evidence
         <$> (anyOf :: Gen DecoderName)
         <*> someNatural
         <*> maybeOf someNatural

@@ -21,7 +21,7 @@ spec = do
       (statedOutcome report, statedPosition report, statedPositions report, statedReason report)
         `shouldBe` (Located, Just (Position 3 4), [], Nothing)
       statedWindows report `shouldBe` windows
-      (basisCount <$> statedBasis report, statedBasis report >>= basisDimension)
+      (evidenceCount <$> statedEvidence report, statedEvidence report >>= evidenceDimension)
         `shouldBe` (Just 1, Nothing)
   it "several places are reported once each and in order, with windows only if these add to them" $
     everywhere $ \context answer -> do
@@ -34,24 +34,24 @@ spec = do
         `shouldBe` (SeveralFit, Nothing, [Position 1 2, Position 3 4], Nothing)
       statedWindows report
         `shouldBe` [w | w <- windows, upright, alone || answerDecoder answer /= NearestDecoder]
-      basisCount <$> statedBasis report `shouldBe` Just 4
+      evidenceCount <$> statedEvidence report `shouldBe` Just 4
   it "too many places are reported by number and dimension, and no place by its reason" $
     everywhere $ \context answer -> do
       forM_ [Nothing, Just 5] $ \dimension -> do
         let many = answerReport context answer {answerOutcome = AmbiguousMany 99 dimension}
         (statedOutcome many, statedPosition many, statedPositions many, statedWindows many)
           `shouldBe` (SeveralFit, Nothing, [], [])
-        (basisCount <$> statedBasis many, statedBasis many >>= basisDimension)
+        (evidenceCount <$> statedEvidence many, statedEvidence many >>= evidenceDimension)
           `shouldBe` (Just 99, dimension)
       forM_ reasons $ \reason -> do
         let none = answerReport context answer {answerOutcome = Refused reason}
         (statedOutcome none, statedReason none, statedPositions none, statedWindows none)
           `shouldBe` (NoAnswer, Just (reasonName reason), [], [])
-        basisCount <$> statedBasis none `shouldBe` Just 0
+        evidenceCount <$> statedEvidence none `shouldBe` Just 0
   it "an orientation is reported if several were asked for: one candidate's, or each candidate's" $
     everywhere $ \context answer -> do
       let told outcome =
-            statedBasis (answerReport context answer {answerOutcome = outcome}) >>= basisOrientation
+            statedEvidence (answerReport context answer {answerOutcome = outcome}) >>= evidenceOrientation
           asked found = if answerSymmetries context == [identity] then Nothing else Just found
           seen = map (\o -> CandidateReport (Position 3 4) (Just o))
       told (Unique (one (turned 1)) []) `shouldBe` asked (OrientationReport (Just (turned 1)) [])
@@ -62,9 +62,9 @@ spec = do
     everywhere $ \context answer -> do
       let verdicts = [PatchVerdict (Position 0 i) (Just (fromIntegral i)) (i == 1) | i <- [0 .. 2]]
           told =
-            statedBasis
+            statedEvidence
               (answerReport context answer {answerPatches = verdicts, answerDisputed = windows})
-              >>= basisPatches
+              >>= evidencePatches
       told
         `shouldBe` fmap
           (\by -> (zipWith (\at i -> PatchReport at (Just i) (i == 1)) by [0 ..], windows))
@@ -78,7 +78,7 @@ spec = do
       ]
       $ \(near, next, least) -> everywhere $ \context answer -> do
         let distances = Distances windows near next least 2
-            told = statedBasis (answerReport context answer {answerDistances = Just distances})
+            told = statedEvidence (answerReport context answer {answerDistances = Just distances})
             exactly given = case given of
               Just (Exactly n) -> Just n
               _ -> Nothing
@@ -93,7 +93,7 @@ spec = do
                   statedMinimumExact = Nothing,
                   statedRadius = 2
                 }
-        (told >>= basisDistances) `shouldBe` case answerDecoder answer of
+        (told >>= evidenceDistances) `shouldBe` case answerDecoder answer of
           NearestDecoder -> Just plain
           InformationSetDecoder ->
             Just
@@ -115,9 +115,9 @@ spec = do
                   posteriorDoubt = 0.25,
                   posteriorUnlisted = Just 0.5
                 }
-            told = statedBasis (answerReport context answer {answerPosterior = Just posterior})
+            told = statedEvidence (answerReport context answer {answerPosterior = Just posterior})
             seen = if answerSymmetries context == [identity] then Nothing else Just (turned 1)
-        (told >>= basisPosterior)
+        (told >>= evidencePosterior)
           `shouldBe` Just
             ( PosteriorReport
                 0.25
@@ -126,7 +126,7 @@ spec = do
             )
   it "an invalid patch is reported with its reason and nothing else" $ do
     let report = invalidReport canonicalProfile "complaint"
-    (statedOutcome report, statedReason report, statedMessage report, statedBasis report)
+    (statedOutcome report, statedReason report, statedMessage report, statedEvidence report)
       `shouldBe` (Invalid, Just "bad-input", "complaint", Nothing)
     (statedPosition report, statedPositions report, statedWindows report)
       `shouldBe` (Nothing, [], [])

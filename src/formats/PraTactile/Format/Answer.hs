@@ -3,7 +3,7 @@
 -- | The JSON of @locate@. "PraTactile.Format.Answer.Report" converts an answer to it.
 module PraTactile.Format.Answer
   ( AnswerReport (..),
-    Basis (..),
+    Evidence (..),
     DistanceReport (..),
     PosteriorReport (..),
     OrientationReport (..),
@@ -40,29 +40,29 @@ data AnswerReport = AnswerReport
     -- | the share of all contents of the observed cells that would be located as well
     statedChance :: Maybe Chance,
     -- | 'Nothing' if the input was not a patch
-    statedBasis :: Maybe Basis
+    statedEvidence :: Maybe Evidence
   }
   deriving stock (Eq, Show)
 
 -- | The evidence for an answer.
-data Basis = Basis
-  { basisDecoder :: DecoderName,
+data Evidence = Evidence
+  { evidenceDecoder :: DecoderName,
     -- | the number of candidates; each position counts once per orientation
-    basisCount :: Natural,
+    evidenceCount :: Natural,
     -- | the dimension of the coset of positions, if they are too many to list
-    basisDimension :: Maybe Natural,
-    basisDistances :: Maybe DistanceReport,
-    basisPosterior :: Maybe PosteriorReport,
+    evidenceDimension :: Maybe Natural,
+    evidenceDistances :: Maybe DistanceReport,
+    evidencePosterior :: Maybe PosteriorReport,
     -- | if the question has a prior probability that the patch is foreign
-    basisDoubts :: Maybe PlaceDoubts,
+    evidenceDoubts :: Maybe PlaceDoubts,
     -- | the numbers of independent parity checks among the certain cells
-    basisChecks :: Maybe Checks,
+    evidenceChecks :: Maybe Checks,
     -- | if several orientations were allowed
-    basisOrientation :: Maybe OrientationReport,
+    evidenceOrientation :: Maybe OrientationReport,
     -- | if the patches came with displacements: each patch, and the cells that they show
     -- differently
-    basisPatches :: Maybe ([PatchReport], [Position]),
-    basisExplanation :: Maybe [String]
+    evidencePatches :: Maybe ([PatchReport], [Position]),
+    evidenceExplanation :: Maybe [String]
   }
   deriving stock (Eq, Show)
 
@@ -135,22 +135,22 @@ reportKeys =
            <*> key "message" text statedMessage
            <*> key "windows" (listOf positionPair) statedWindows
            <*> withKeys statedChance chanceKeys
-           <*> optionalKeys "road" basisKeys statedBasis
+           <*> optionalKeys "road" evidenceKeys statedEvidence
        )
 
-basisKeys :: Keys Basis Basis
-basisKeys =
-  Basis
-    <$> key "road" (named decoderText) basisDecoder
-    <*> key "count" natural basisCount
-    <*> optionalKey "dimension" natural basisDimension
-    <*> optionalKeys "corrected" distanceKeys basisDistances
-    <*> optionalKeys "doubt" posteriorKeys basisPosterior
-    <*> optionalKey "doubts" doubts basisDoubts
-    <*> key "checks" checksCodec basisChecks
-    <*> optionalKeys "mirrored" orientationKeys basisOrientation
-    <*> optionalKeys "patches" patchKeys basisPatches
-    <*> optionalKey "explanation" (listOf text) basisExplanation
+evidenceKeys :: Keys Evidence Evidence
+evidenceKeys =
+  Evidence
+    <$> key "road" (named decoderText) evidenceDecoder
+    <*> key "count" natural evidenceCount
+    <*> optionalKey "dimension" natural evidenceDimension
+    <*> optionalKeys "corrected" distanceKeys evidenceDistances
+    <*> optionalKeys "doubt" posteriorKeys evidencePosterior
+    <*> optionalKey "doubts" doubts evidenceDoubts
+    <*> key "checks" checksCodec evidenceChecks
+    <*> optionalKeys "mirrored" orientationKeys evidenceOrientation
+    <*> optionalKeys "patches" patchKeys evidencePatches
+    <*> optionalKey "explanation" (listOf text) evidenceExplanation
   where
     doubts =
       object $

@@ -43,7 +43,7 @@ answerReport context answer = case answerOutcome answer of
     report =
       (reportOf Located (answerProfile context) (answerMessage context))
         { statedChance = answerChance answer,
-          statedBasis = Just (basisOf context answer)
+          statedEvidence = Just (evidenceOf context answer)
         }
     -- If the orientation is unknown, or cells are in dispute, complete windows mean nothing.
     windowsCertain =
@@ -67,25 +67,25 @@ reportOf outcome profile message =
       statedMessage = message,
       statedWindows = [],
       statedChance = Nothing,
-      statedBasis = Nothing
+      statedEvidence = Nothing
     }
 
 isUpright :: AnswerContext -> Bool
 isUpright context = answerSymmetries context == [identity]
 
-basisOf :: AnswerContext -> Answer -> Basis
-basisOf context answer =
-  Basis
-    { basisDecoder = answerDecoder answer,
-      basisCount = count,
-      basisDimension = dimension,
-      basisDistances = answerDistances answer >>= distanceReport (answerDecoder answer),
-      basisPosterior = posteriorReport candidateReport <$> answerPosterior answer,
-      basisDoubts = answerDoubts answer,
-      basisChecks = answerChecks answer,
-      basisOrientation = if isUpright context then Nothing else Just orientation,
-      basisPatches = (,) <$> patches <*> pure (answerDisputed answer),
-      basisExplanation = answerExplanation context
+evidenceOf :: AnswerContext -> Answer -> Evidence
+evidenceOf context answer =
+  Evidence
+    { evidenceDecoder = answerDecoder answer,
+      evidenceCount = count,
+      evidenceDimension = dimension,
+      evidenceDistances = answerDistances answer >>= distanceReport (answerDecoder answer),
+      evidencePosterior = posteriorReport candidateReport <$> answerPosterior answer,
+      evidenceDoubts = answerDoubts answer,
+      evidenceChecks = answerChecks answer,
+      evidenceOrientation = if isUpright context then Nothing else Just orientation,
+      evidencePatches = (,) <$> patches <*> pure (answerDisputed answer),
+      evidenceExplanation = answerExplanation context
     }
   where
     (count, dimension, candidates) = case answerOutcome answer of
