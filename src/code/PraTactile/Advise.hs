@@ -63,11 +63,11 @@ data AdviceError
     AdviceTooLarge Natural
   deriving stock (Eq, Show)
 
--- | What is possible and what is not, both in order of size.
+-- | What is possible and what is not.
 data Advice = Advice
-  { -- | what is possible, the fewest cells first
+  { -- | what is possible, by the cells of one array, the fewest first
     adviceOptions :: [Option],
-    -- | what is not possible, for the same degrees
+    -- | what is not possible, for the same degrees, by degree
     adviceObstacles :: [Obstacle]
   }
   deriving stock (Eq, Show)
@@ -82,13 +82,13 @@ data Option = Option
     optionShape :: Shape,
     -- | windows that determine the position, the most nearly square ones first; at least one
     optionFits :: [Fit],
-    -- | the number of adjacent whole columns from which on parity checks hold across columns;
-    -- 'Nothing' if the array does not have that many
+    -- | the least number of adjacent whole columns that satisfy a parity check together, and not
+    -- only each by itself; 'Nothing' if the array has fewer
     optionColumnsToCheck :: Maybe Natural,
-    -- | the number of adjacent whole rows from which on parity checks hold across rows; 'Nothing'
-    -- if the array does not have that many
+    -- | the least number of adjacent whole rows that satisfy a parity check together; 'Nothing' if
+    -- the array has fewer
     optionRowsToCheck :: Maybe Natural,
-    -- | the mirror images of the arrays that equal the arrays themselves
+    -- | the mirror images that equal the arrays themselves, shifted on the layout's surface
     optionMirrors :: [Mirror]
   }
   deriving stock (Eq, Show)
@@ -98,9 +98,10 @@ data Obstacle
   = -- | For this degree, q^n - 1, the second number, is not a product of at least the wanted rows
     -- and columns.
     NoSuchShape Natural Natural
-  | -- | For this degree, the sides n1 and n2 have a common divisor. So the diagonal reaches only
-    -- some of the cells, and no linear array of the shape exists on the torus. The options are
-    -- similar.
+  | -- | For this degree, the sides n1 and n2 have a common divisor; the fourth number is the
+    -- greatest one. So the diagonal reaches only some of the cells, and no linear array of the
+    -- shape exists on the torus. The options are alternatives. They may have fewer rows or columns
+    -- than wanted, or other windows if the wanted one fails.
     SidesShareDivisor Natural Natural Natural Natural [Option]
   | -- | For this degree n, the window has fewer than n cells, so there are fewer contents than
     -- positions.
@@ -125,7 +126,7 @@ obstacleDegree obstacle = case obstacle of
   NotFactored n _ -> n
 
 -- | Lists what is possible and what is not. Degrees n run from the least one with enough terms to
--- the first one that gives a single array on a plain torus, or beyond which the window has too few
+-- the first one that gives a single array on a plain torus, or for which the window has too few
 -- cells; at most 16 degrees. Codes of several arrays are listed for a degree only if it gives no
 -- single array on a plain torus. Polynomials are over the field with the default modulus.
 --

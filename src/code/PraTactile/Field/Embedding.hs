@@ -30,9 +30,9 @@ newtype Embedding (j :: Field) (k :: Field) = Embedding (Primitive.Vector (GF k)
 
 type role Embedding nominal nominal
 
--- | All embeddings of j into k, by increasing code of the root that j's A goes to. Their number is
--- the degree of j over GF(p), or 0 if j is not contained in k. A, a root of j's modulus f, must go
--- to a root of f in k; that determines the image of Z_p[x]/f.
+-- | All embeddings of j into k. The class of x in j = Z_p[x]/f must go to a root of f in k, which
+-- determines the embedding. They are listed by increasing code of that root. Their number is the
+-- degree of j over GF(p), or 0 if j is not contained in k.
 embeddings :: forall j k. (KnownField j, KnownField k) => [Embedding j k]
 embeddings
   | fieldCharacteristic j /= fieldCharacteristic (Proxy :: Proxy k) = []

@@ -31,8 +31,8 @@ binomial n k
   | otherwise =
     product (map fromIntegral [n - k + 1 .. n]) `div` product (map fromIntegral [1 .. k])
 
--- | The number of codewords with each weight that occurs. It visits one of each q - 1 multiples of
--- the q^k codewords.
+-- | The number of codewords with each weight that occurs. It visits one codeword of each class of
+-- q - 1 nonzero multiples: (q^d - 1) / (q - 1) in all for dimension d.
 weights :: forall k. KnownField k => LinearCode k -> Map Int Natural
 weights code = Map.insert 0 1 (Map.map (units *) (Map.filter (> 0) counted))
   where

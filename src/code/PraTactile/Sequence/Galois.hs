@@ -56,15 +56,15 @@ galoisPrevious :: KnownField k => Primitive k -> GaloisState k -> GaloisState k
 galoisPrevious h (GaloisState g) =
   GaloisState (zipWith (\c above -> above + c * out) (drop 1 (lower h)) (drop 1 g) ++ [out])
   where
-    -- g0 = - c0 out; c0 is not zero, and a^(q - 2) is the inverse of such an a.
+    -- g0 = - c0 out; c0 is not zero, so its inverse is c0^(q - 2).
     out = negate (sum (take 1 g) * power (sum (take 1 (lower h))) (fromIntegral (fieldOrder h - 2)))
 
 -- | The output of the register's next step: the coefficient of x^(n-1).
 galoisOutput :: GaloisState k -> GF k
 galoisOutput (GaloisState g) = foldl' (\_ a -> a) zero g
 
--- | The endless output of the register from this state on. It is a linear function of x^i g modulo
--- h, so it obeys the recurrence of h.
+-- | The endless output of the register from this state on. Its term i is a linear function, the
+-- same for all i, of x^i g modulo h; so the terms obey the recurrence of h.
 --
 -- >>> import PraTactile.Field.Named (GF4)
 -- >>> let terms h = take 9 (galoisSequence h (toGalois h (canonicalState h)))
@@ -78,12 +78,12 @@ galoisSequence h = map galoisOutput . iterate (galoisNext h)
 toGalois :: KnownField k => Primitive k -> State k -> GaloisState k
 toGalois h s = GaloisState (map stage [primitiveDegree h, primitiveDegree h - 1 .. 1])
   where
-    -- 1, c(n-1), c(n-2), ...
+    -- The list @downwards@ is 1, c(n-1), c(n-2), ...; @stage j@ is g(n-j), a sum of j terms.
     downwards = reverse (coefficients (primitivePolynomial h))
     stage j = sum (zipWith (*) downwards (reverse (take j (stateElements s))))
 
 -- | The state s(0), ..., s(n-1) of the Fibonacci register with the same output as the Galois
--- register.
+-- register. It never refuses a state of h's own degree.
 toFibonacci :: KnownField k => Primitive k -> GaloisState k -> Either SequenceError (State k)
 toFibonacci h = initialState h . take (primitiveDegree h) . galoisSequence h
 

@@ -22,7 +22,7 @@ module PraTactile.Object.Mesh
     scaledBy,
     named,
 
-    -- * The rim
+    -- * Names and fractions
     fromDescription,
     toDescription,
     vertexAt,

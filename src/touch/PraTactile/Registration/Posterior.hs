@@ -35,7 +35,8 @@ data GridPosterior = GridPosterior
   }
   deriving stock (Eq, Show)
 
--- | Normalises log weights to a posterior. If none is finite, it is uniform.
+-- | Normalises log weights to a posterior. NaN counts as -infinity. If none is above -infinity, or
+-- one is +infinity, the posterior is uniform.
 posterior :: Taxels -> Double -> (Int, Int) -> Vector Double -> GridPosterior
 posterior origin spacing size logs = GridPosterior origin spacing size (V.map (/ total) masses)
   where
@@ -54,7 +55,8 @@ data Hypothesis = Hypothesis
   deriving stock (Eq, Show)
 
 -- | At most the given number of the most probable displacements, the best first, each of at least
--- the given probability. No two share a grid point. There is always one.
+-- the given probability. Each grid point counts for one only, so those after the first may state
+-- too little. The first is given whatever its probability.
 hypotheses :: Int -> Double -> GridPosterior -> [Hypothesis]
 hypotheses most least given = case go most (posteriorMasses given) of
   [] -> [fst (bestOf given)]
@@ -80,9 +82,9 @@ probabilityAround (GridPosterior (ox, oy) spacing (columns, _) masses) (x, y) =
     near t = abs t <= tolerance + 1e-6
 
 -- | The displacement with the most probability within 'tolerance', and the grid points that count
--- there. It takes the window of points that holds most. There it takes the mean, clamped to within
--- 'tolerance' of the outermost points that matter: those of all but a thousandth of the
--- probability.
+-- there. It takes the window of points that holds most. There it takes the mean, clamped along each
+-- axis to within 'tolerance' of the outermost points that are left when at most 1/2000 of the
+-- window's probability is cut off each end.
 bestOf :: GridPosterior -> (Hypothesis, Int -> Bool)
 bestOf (GridPosterior (ox, oy) spacing (columns, rows) masses) =
   (Hypothesis (ox + spacing * bestX, oy + spacing * bestY) (max 0 (min 1 held)), inside)
@@ -147,7 +149,7 @@ deviations (GridPosterior _ spacing (columns, _) masses) = (along snd, along fst
             0
             masses
 
--- | The probability of the best window along x, and along y, each by itself.
+-- | The probability that x alone lies within 'tolerance' of the best x, and y alone of the best y.
 marginals :: GridPosterior -> (Double, Double)
 marginals (GridPosterior _ spacing (columns, rows) masses) = (best columns across, best rows down)
   where
@@ -156,8 +158,9 @@ marginals (GridPosterior _ spacing (columns, rows) masses) = (best columns acros
     best n line =
       maximum (0 : [V.sum (V.slice from (to - from) line) | (from, to) <- windows spacing n])
 
--- | The log prior of a displacement from the nominal one, for a search in taxels. It is normal
--- along both axes, with half the search as standard deviation.
+-- | The log prior, up to a constant, of a displacement's difference from the nominal one, for a
+-- search in taxels. It is normal along both axes, with half the search as standard deviation; flat
+-- if the search is 0 or less.
 priorAround :: Double -> Taxels -> Double
 priorAround search (x, y)
   | search <= 0 = 0

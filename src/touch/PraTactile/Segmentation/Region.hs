@@ -31,7 +31,8 @@ import PraTactile.Segmentation.Masked
 -- | A list of pixel numbers.
 type Region = [Int]
 
--- | The connected components of a list of pixels, ordered by their first pixels. Two pixels are
+-- | The connected components of a list of pixels, ordered by their lowest pixel numbers; the pixels
+-- of each are in no particular order. Of the image only the width counts. Two pixels are
 -- connected when their columns and their rows differ by at most gap + 1, where gap >= 0; gap 0
 -- means connection by sides and corners. O(area of the pixels' bounding box), or, if that is large,
 -- O(n log area) for n pixels.
@@ -92,8 +93,8 @@ components pixels gap some
 largestBox :: Int
 largestBox = 8388608
 
--- | The pixels within a distance of some pixel of the region, ascending. The distance is the
--- larger of those in columns and in rows.
+-- | The image's pixels, touched or not, within a distance of some pixel of the region, ascending.
+-- The distance is the larger of those in columns and in rows.
 around :: Masked -> Int -> Region -> Region
 around pixels distance = eachOnce . concatMap down . eachOnce . concatMap across
   where
@@ -127,8 +128,8 @@ tableOf some
       forM_ some $ \p -> M.write table (p - least) True
       pure table
 
--- | The extent of a region along a direction (degrees clockwise from the x axis), in pixels; 0 for
--- an empty region.
+-- | The extent of a region along a direction (degrees clockwise from the x axis), in pixels: the
+-- distance between the outermost pixels' centres along it, plus 1. 0 for an empty region.
 extentAlong :: Masked -> Region -> Double -> Double
 extentAlong pixels region
   | null region = const 0
@@ -144,7 +145,8 @@ extentAlong pixels region
 -- | The least and the greatest value of a range.
 data Span = Span !Double !Double
 
--- | The bounding box of a region: left, top, right, bottom, in pixels. Zeros for an empty region.
+-- | The bounding box of a region at its pixels' outer edges, where centres have whole coordinates:
+-- left, top, right, bottom. Zeros for an empty region.
 regionBox :: Masked -> Region -> (Double, Double, Double, Double)
 regionBox pixels region
   | null region = (0, 0, 0, 0)

@@ -69,7 +69,8 @@ openingLaws =
   ]
     ++ map impossibleLaw impossibles
 
--- | Profiles of the same array: in a prime field the modulus may be any polynomial of degree 1.
+-- | Profiles of the same array: in a prime field the modulus may be any monic polynomial of
+-- degree 1; three are tried.
 alike :: Profile -> [Profile]
 alike p =
   [ p {profileModulus = [c, 1]}
@@ -92,12 +93,13 @@ ofDegree16 = over 2 [1, 1] h (Shape 255 257) (Shape 4 4)
 
 -- | A profile of 205 378 cells for overflows of 32 bits. The index of a term grows by 102 690, the
 -- index of the cell (0, 1), with each step along the long side, so before reduction it exceeds 32
--- bits. So does the product of two numbers below that side.
+-- bits. So does the product of two numbers that are each just below that side's length.
 long :: Profile
 long = over 59 [1, 1] [49, 42, 47, 1] (Shape 2 102689) (Shape 2 3)
 
--- | Opens profiles in turn and asks a few questions under each. A violation includes the profiles
--- that were opened before.
+-- | Opens profiles in turn and asks a few questions under each. The violation of a wrong answer
+-- includes the profiles that were opened before. A refused profile is opened once more and reported
+-- alone.
 inTurns :: [Exchange] -> [Profile] -> Ask Verdict
 inTurns before profiles = case profiles of
   [] -> pure Holds
@@ -113,7 +115,8 @@ inTurns before profiles = case profiles of
           [] -> inTurns now others
       _ -> opened True "the profile names an array" p
 
--- | A question of each operation that depends on another part of the profile.
+-- | A question of each of five operations, each of which depends on another part of the profile.
+-- The cell lies one row beyond the array.
 fewOf :: ProfileFacts -> [SomeQuestion]
 fewOf about =
   [ SomeQuestion (Term :? degreeOf p),
@@ -129,8 +132,8 @@ fewOf about =
     -- The last position at which a window lies within the edges, if there is one.
     lastPlace = Position (n1 - min n1 h) (n2 - min n2 w)
 
--- | A reason why a profile is impossible (name and sentence), and a change that makes a profile
--- so.
+-- | A condition of profiles (its name and its sentence), and the changed profiles that break it;
+-- none if the change does not apply.
 data Impossible = Impossible String String (Profile -> [Profile])
 
 impossibleLaw :: Impossible -> Law [Profile]
@@ -168,7 +171,7 @@ impossibles = ofTheField ++ ofTheSequence ++ ofTheArray
 
 ofTheField :: [Impossible]
 ofTheField =
-  [ Impossible "order-is-a-prime-power" "q is a power of a prime" $ \p ->
+  [ Impossible "order-is-a-prime-power" "q is a power of a prime, at most 256" $ \p ->
       [p {profileOrder = q} | q <- [0, 1, 6, 10, 12, 257] ++ beyond 8 (profileOrder p)],
     Impossible "modulus-has-the-degree" "the modulus of GF(p^m) has degree m" $ \p ->
       [ p {profileModulus = 1 : profileModulus p},

@@ -24,7 +24,8 @@ import PraTactile.Object.Mend
 import PraTactile.Object.Mesh
 import PraTactile.Object.Validity
 
--- | Limits of the list of defects: per kind, and of vertex names in all. All defects are counted.
+-- | Limits of the list of defects of each kind: their number (also of turned faces), and the number
+-- of vertex names at which the list ends. All defects are counted.
 mostOfAKind, mostNames :: Int
 mostOfAKind = 1000
 mostNames = 100000

@@ -39,8 +39,9 @@ firstNumbers place =
     (Map.fromList (zip (map solidName (placementSolids place)) [1 ..]))
     (Map.fromList (zip (map laidFace (laidFaces place)) [1 ..]))
 
--- | The numbers of a placement that replaces another with the given numbers. What stays the same
--- keeps its number; the rest gets the next numbers above all earlier ones.
+-- | The numbers of a placement that replaces another. The arguments are the old placement, its
+-- numbers, and the new one. What stays the same (a face: with its object) keeps its number if the
+-- numbers still ascend in the new order; the rest gets the next numbers above all earlier ones.
 nextNumbers :: Placement -> Numbers -> Placement -> Numbers
 nextNumbers before (Numbers ofObjects ofLayings) place =
   Numbers
@@ -84,7 +85,7 @@ toRows profile numbers place =
             Just n <- [Map.lookup (laidFace laid) (layingNumbers numbers)]
         ]
 
--- | The row of the array, with the first of the objects' names.
+-- | The row of the array, with the least of the objects' names.
 arrayRow :: String -> Maybe String -> Placement -> Either StoreError Rows
 arrayRow profile firstName place = do
   row' <-
@@ -96,7 +97,7 @@ arrayRow profile firstName place = do
     Pitch right down = placementPitch place
 
 -- | All rows of an object. The arguments are the numbers, the laid faces of each object, the
--- object, and the next object's name.
+-- object, and the next name in the order of names.
 objectRows ::
   Numbers -> Map.Map ObjectName [LaidFace] -> Solid -> Maybe String -> Either StoreError Rows
 objectRows numbers laidOf object nextName = do
@@ -161,8 +162,8 @@ objectRows numbers laidOf object nextName = do
           <*> whole fromColumn
       pure (sealed (unsealed (Exact . fst <$> margin) (Exact . snd <$> margin)))
       where
-        -- The object's own name of the face, and the number of corners after which the frame
-        -- begins.
+        -- The object's own name of the face, and the number of corners by which the laid face's
+        -- name is rotated against it.
         begun = faceVertices (faceName (laidFace laid))
         walk = fromMaybe (FaceName []) (sameCorners object (FaceName begun))
         begins = count (takeWhile (/= begun) (rotations (faceVertices walk)))
