@@ -191,7 +191,7 @@ oneShotSpec = do
       one <- oneShot (Limits patience 60) slow canonicalProfile (Just (1, adds 1))
       either (faultName . faultKind) (const "result") one `shouldBe` came
   where
-    second = byEffort 0.25 1 :: Double
+    second = byEffort 0.6 1 :: Double
     sayFixed number = "echo '{\"sequence\":" ++ show (number :: Int) ++ ",\"result\":0}'"
 
 -- | Tests what holds only while nothing else runs in this process.
