@@ -187,7 +187,7 @@ partSize evaluation part =
 partKeys :: Keys EvaluationShard EvaluationShard
 partKeys =
   (\(number, count) -> EvaluationShard number count)
-    <$> key "shard" (such valid NotShard (pairOf int)) (\it -> (partNumber it, partOf it))
+    <$> key "shard" (satisfying valid NotShard (pairOf int)) (\it -> (partNumber it, partOf it))
     <*> key "setting" text partSetting
   where
     valid (number, count) = 1 <= number && number <= count

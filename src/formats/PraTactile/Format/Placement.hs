@@ -128,7 +128,7 @@ drawingKeys =
     <*> key "row" integer drawnRow
     <*> key "column" integer drawnColumn
     <*> key "margin_mm" (nullable (pairOf exact)) drawnMargin
-    <*> key "cells" (such evenly NotDrawnCells (listOf text)) drawnCells
+    <*> key "cells" (satisfying evenly NotDrawnCells (listOf text)) drawnCells
   where
     evenly lines' =
       length (nub (map length lines')) <= 1 && all (all (`elem` ("#." :: String))) lines'

@@ -250,7 +250,7 @@ whereabouts =
         <*> key "row" integer drawnRow
         <*> key "column" integer drawnColumn
         <*> key "margin_mm" (nullable (pairOf exact)) drawnMargin
-        <*> key "cells" (such evenly NotDrawnCells cellsForm) drawnCells
+        <*> key "cells" (satisfying evenly NotDrawnCells cellsForm) drawnCells
     evenly cells = all ((== length (concat (take 1 cells))) . length) cells
 
 -- | Fewer layings, a smaller window, or a position nearer to the first.
