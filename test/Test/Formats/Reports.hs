@@ -51,7 +51,8 @@ spec = do
   it "an orientation is reported if several were asked for: one candidate's, or each candidate's" $
     everywhere $ \context answer -> do
       let told outcome =
-            statedEvidence (answerReport context answer {answerOutcome = outcome}) >>= evidenceOrientation
+            statedEvidence (answerReport context answer {answerOutcome = outcome})
+              >>= evidenceOrientation
           asked found = if answerSymmetries context == [identity] then Nothing else Just found
           seen = map (\o -> CandidateReport (Position 3 4) (Just o))
       told (Unique (one (turned 1)) []) `shouldBe` asked (OrientationReport (Just (turned 1)) [])
