@@ -240,9 +240,10 @@ orMisnamed oneFile kind name
   | otherwise =
     when (ending `elem` endings) . misused $
       visibleName name
-        ++ " is the name of a file, and several may be written: name a folder, or one --object or \
-           \--face"
+        ++ " is the name of a file, and several may be written: name a folder, or "
+        ++ (if drawn kind then "one --face, or --net with one --object" else oneOfThem)
   where
+    oneOfThem = "one --object or --face"
     ending = endingOf name
     own = case kind of
       Surface format' -> surfaceEnding format'

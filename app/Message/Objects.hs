@@ -332,7 +332,8 @@ thresholdMessage doubts = case sortOn (negate . fst) causes of
 seenMessage :: Refusal -> Diagnosis -> String
 seenMessage why seen = case seen of
   InsteadFlat -> "every taxel reads the same: nothing was touched, or the face is flat there"
-  InsteadInverted -> "the symbols are recognised with light and dark exchanged; give --inverted"
+  InsteadInverted ->
+    "the symbols are recognised with light and dark exchanged; give --inverted, or leave it out"
   InsteadScaled factor taxel ->
     "the symbols are recognised at " ++ figures 3 factor
       ++ " times the size expected; give --taxel "
