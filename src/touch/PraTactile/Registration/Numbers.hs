@@ -22,7 +22,6 @@ module PraTactile.Registration.Numbers
     absence,
     placesPerTaxel,
     sure,
-    tellingShare,
     misfit,
     negligible,
     leastWeight,
@@ -134,11 +133,6 @@ placesPerTaxel = 2
 -- belong to 0.99, the posterior that users are given.
 sure :: Double
 sure = log 99
-
--- | Frames are tested for the lattice if their standard deviation is at least this share of the
--- greatest one's. Assumption: others lie beyond the face.
-tellingShare :: Double
-tellingShare = 0.5
 
 -- | Lower limit of the rival process's noise share when frames are tested for the lattice.
 -- Assumption: sensors do not feel symbols quite as they are drawn.

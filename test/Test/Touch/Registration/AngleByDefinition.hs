@@ -5,7 +5,6 @@
 module Test.Touch.Registration.AngleByDefinition (spec) where
 
 import Data.List (find, genericLength, maximumBy, sortOn)
-import Data.Maybe (fromMaybe)
 import Data.Ord (Down (..), comparing)
 import PraTactile.Image
 import PraTactile.Registration.Lattice.Angle
@@ -115,11 +114,9 @@ defined processes hints images roughly finely
       | a >= 90 = folded (a - 180)
       | otherwise = a
     ofSize = [k | (k, image) <- zip [0 ..] images, rasterSize image == rasterSize (head images)]
-    -- Twelve, evenly taken, of those with at least half of the greatest contrast.
-    few = [k | (i, k) <- zip [0 ..] varied, n <= 12 || (i * 12) `div` n /= ((i - 1) * 12) `div` n]
-    n = length varied
-    varied = [k | k <- ofSize, contrast k >= maximum (map contrast ofSize) / 2]
-    contrast = fromMaybe 0 . standardDeviation . (images !!)
+    -- Twelve of them, evenly taken; those with most contrast first.
+    few = [k | (i, k) <- zip [0 ..] ofSize, n <= 12 || (i * 12) `div` n /= ((i - 1) * 12) `div` n]
+    n = length ofSize
     telling = sortOn (Down . standardDeviation . (images !!)) ofSize
     summed told ks a = sum [(told !! k) a | k <- ks]
     coarse count = summed roughly (take count telling)

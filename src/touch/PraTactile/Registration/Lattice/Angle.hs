@@ -19,7 +19,7 @@ import PraTactile.Composite.Noise (spacedOut)
 import PraTactile.Geometry (parabolaVertex)
 import PraTactile.Image (Raster, rasterSize, standardDeviation)
 import PraTactile.Registration.Lattice.Fit
-import PraTactile.Registration.Numbers (misfit, sure, tellingShare)
+import PraTactile.Registration.Numbers (misfit, sure)
 import PraTactile.Registration.Spectrum
 
 -- | The fits at the angle in [-90, 90), in degrees clockwise, at which a lattice lies under the
@@ -27,8 +27,7 @@ import PraTactile.Registration.Spectrum
 -- The hints are the angles, up to quarter turns, at which symbols seem to lie, the likeliest first.
 -- The angle is upright or near one of the first three hints if the frames show the lattice there
 -- rather than other relief. Otherwise it is the likeliest of all. Only a few frames of the first
--- one's size count, and none beyond the face. 'Nothing' if the frames are likelier to show
--- something else.
+-- one's size count. 'Nothing' if the frames are likelier to show something else.
 latticeAngle :: (Double -> Fits) -> Spectra -> [Double] -> [Raster] -> Maybe Fits
 latticeAngle at processes hints images
   | turned = find shown (angles ++ [upright])
@@ -80,10 +79,7 @@ latticeAngle at processes hints images
     -- charges half the log of the number of pixels for each.
     found image = let (w, h) = rasterSize image in log (fromIntegral (w * h))
     summed told some fits = sum [told (fitsFrames fits !! k) | (k, _) <- some]
-    -- A frame beyond the face shows nothing, so it has no say.
-    few = spacedOut 12 [one | one@(_, i) <- usable, varying i >= tellingShare * most]
-    most = maximum (0 : map (varying . snd) usable)
-    varying = fromMaybe 0 . standardDeviation
+    few = spacedOut 12 usable
     telling = sortOn (Down . standardDeviation . snd) usable
     usable =
       [(k, i) | one : _ <- [images], (k, i) <- zip [0 ..] images, rasterSize i == rasterSize one]
