@@ -241,9 +241,11 @@ orMisnamed oneFile kind name
     when (ending `elem` endings) . misused $
       visibleName name
         ++ " is the name of a file, and several may be written: name a folder, or "
-        ++ (if drawn kind then "one --face, or --net with one --object" else oneOfThem)
+        ++ single
   where
-    oneOfThem = "one --object or --face"
+    single
+      | drawn kind = "one --face, or --net with one --object"
+      | otherwise = "one --object or --face"
     ending = endingOf name
     own = case kind of
       Surface format' -> surfaceEnding format'

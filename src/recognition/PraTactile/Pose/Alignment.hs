@@ -274,7 +274,7 @@ normalOf (OwnPrior expected informations) (Own own v) pixels =
   Normal
     { normalRows =
         zipWith (\i -> zipWith (\j x -> x / v + prior i j) [0 ..]) [0 ..] (gram columns),
-      normalGradient = [product' a rests / v + pull i | (i, a) <- zip [0 ..] columns],
+      normalGradient = zipWith (\a pull -> product' a rests / v + pull) columns pulls,
       normalLeft = U.sum (U.zipWith (\w d -> w * d * d) slopes' rests),
       normalLevers =
         scaled (1 / v) (gram (map (U.zipWith (\w a -> sqrt w * a) slopes') (drop 3 columns))),
@@ -304,8 +304,9 @@ normalOf (OwnPrior expected informations) (Own own v) pixels =
     rests = U.zipWith (\value h -> value - offset - gain * h) readings heights
     slopes' = U.zipWith (\a b -> a * a + b * b) across down
     -- The motion has no prior.
-    prior i j = if i == (j :: Int) && i >= 3 then informations !! (i - 3) else 0
-    pull i = if i < 3 then 0 else informations !! (i - 3) * (expected !! (i - 3) - own !! (i - 3))
+    prior i j = if i == (j :: Int) then (ofMotion ++ informations) !! i else 0
+    pulls = ofMotion ++ zipWith3 (\w e now -> w * (e - now)) informations expected own
+    ofMotion = [0, 0, 0]
 
 -- | The inner product of two columns.
 product' :: U.Vector Double -> U.Vector Double -> Double
